@@ -6,6 +6,7 @@ BIN = .venv/bin
 RUNS = .venv/.run
 READY = .venv/.ready
 ZIG = .venv/.zig
+MODULES = node_modules/.package-lock.json
 WHEEL = PYTHONPATH='$(CURDIR)/$(ZIG)' $(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation -w dist
 LAWS = setup.py $(wildcard pointpred/laws/*.[ch])
 OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
@@ -26,14 +27,20 @@ demo: $(RUNS)  ## write the page for a static host into FOLDER (demo)
 test: $(READY)  ## set up and run every test
 	$(BIN)/python -m pytest -n 2 -q --durations=10
 
-check: $(READY)  ## lint, format and types
+check: $(READY) $(MODULES)  ## lint, format and types
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	if test -d node_modules; then npm run --silent check; fi
 
-format: $(READY)  ## format the code with ruff
+format: $(READY) $(MODULES)  ## format the code
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
+	if test -d node_modules; then npm run --silent format; fi
+
+$(MODULES): package-lock.json
+	if command -v npm >/dev/null; then npm ci --silent --no-audit --no-fund && touch $@; \
+		else echo "no npm: the JavaScript is not checked"; fi
 
 bench: $(READY)  ## measure the cost of each pipeline, and of the service
 	$(BIN)/python -m evidence costs per_event

@@ -5,7 +5,8 @@ import { gzipSync } from "node:zlib";
 const [esbuild, entry, ...modules] = process.argv.slice(2);
 const { build } = await import(esbuild);
 const loaded = new Set(modules);
-const rest = { // what is loaded later stays outside
+const rest = {
+  // what is loaded later stays outside
   name: "rest",
   setup(made) {
     made.onResolve({ filter: /^\./ }, ({ path, resolveDir }) => {
@@ -14,5 +15,13 @@ const rest = { // what is loaded later stays outside
     });
   },
 };
-const { outputFiles } = await build({ entryPoints: [entry], bundle: true, minify: true, format: "esm", target: "es2022", write: false, plugins: [rest] });
+const { outputFiles } = await build({
+  entryPoints: [entry],
+  bundle: true,
+  minify: true,
+  format: "esm",
+  target: "es2022",
+  write: false,
+  plugins: [rest],
+});
 console.log(gzipSync(outputFiles[0].contents, { level: 9 }).length);

@@ -7,12 +7,22 @@ import { build } from "/pointpred/prediction/build.js";
 const PREDICTORS = new URLSearchParams(location.search).getAll("predictor");
 const LONG_MS = 25; // a frame that takes longer than one and a half of 60 Hz
 
-let events = [], fired = [], stops = [], frames = 0, long = 0, before = performance.now();
+let events = [],
+  fired = [],
+  stops = [],
+  frames = 0,
+  long = 0,
+  before = performance.now();
 
 const manager = ForesightManager.initialize();
-window.addEventListener("pointermove", (event) => {
-  for (const { timeStamp, clientX, clientY } of event.getCoalescedEvents()) events.push([timeStamp / 1000, clientX, clientY]);
-}, { capture: true, passive: true });
+window.addEventListener(
+  "pointermove",
+  (event) => {
+    for (const { timeStamp, clientX, clientY } of event.getCoalescedEvents())
+      events.push([timeStamp / 1000, clientX, clientY]);
+  },
+  { capture: true, passive: true },
+);
 const watch = (now) => {
   frames += 1;
   long += now - before > LONG_MS;
@@ -37,15 +47,25 @@ function clear() {
 }
 
 /** Whether the middle of a target lies under another; such targets let the pointer through, because onIntent leaves out what is covered. */
-const overlap = (targets) => targets.some(([left, top, width, height], place) => targets.some(([x, y, w, h], other) =>
-  other !== place && Math.abs(left + 0.5 * width - x - 0.5 * w) <= 0.5 * w && Math.abs(top + 0.5 * height - y - 0.5 * h) <= 0.5 * h));
+const overlap = (targets) =>
+  targets.some(([left, top, width, height], place) =>
+    targets.some(
+      ([x, y, w, h], other) =>
+        other !== place &&
+        Math.abs(left + 0.5 * width - x - 0.5 * w) <= 0.5 * w &&
+        Math.abs(top + 0.5 * height - y - 0.5 * h) <= 0.5 * h,
+    ),
+  );
 
 /** Puts other targets in place. @param {number[][]} targets left, top, width, height px of each */
 function show(targets) {
   clear();
   document.body.classList.toggle("overlapping", overlap(targets));
   targets.forEach(([left, top, width, height], place) => {
-    const element = document.createElement("div"), hear = (rule) => () => { fired.push([rule, place, performance.now() / 1000]); };
+    const element = document.createElement("div"),
+      hear = (rule) => () => {
+        fired.push([rule, place, performance.now() / 1000]);
+      };
     element.className = "target";
     element.style = `left: ${left}px; top: ${top}px; width: ${width}px; height: ${height}px`;
     document.body.append(element);

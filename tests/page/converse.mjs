@@ -4,7 +4,8 @@ import { PageSession } from "../../server/pointpred_server/web/lib/prediction/se
 import { answer, given } from "./given.mjs";
 
 let heard = [];
-const session = new PageSession((message) => heard.push(message)), answers = [];
+const session = new PageSession((message) => heard.push(message)),
+  answers = [];
 for (const frame of await given()) {
   if (Array.isArray(frame)) session.receiveRows(frame);
   else await session.receive(frame);

@@ -35,7 +35,12 @@ class Stage {
 class Aim {
   constructor(law, heading, { table, keys }, coefficients) {
     const rows = table.map((row) => Float64Array.from(row));
-    [this.law, this.heading, this.coefficients, this.memory] = [law, heading, coefficients, new Float64Array(heading.LENGTH)];
+    [this.law, this.heading, this.coefficients, this.memory] = [
+      law,
+      heading,
+      coefficients,
+      new Float64Array(heading.LENGTH),
+    ];
     this.targets = [rows, Float64Array.from(rows, (row) => row[4]), keys, new Float64Array(rows.length + 1)];
     this.memory.set(law.Aim.parameters.map((one) => one.default));
     heading.begin(this.memory, this.targets);
@@ -54,7 +59,9 @@ class Aim {
 
 /** What weighs targets. @param {string} laws @param {Targets|null} targets @returns {Promise<Aim|null>} */
 async function aimOf(laws, targets) {
-  const [law, heading, { FITTED }] = await Promise.all(["aim", "heading", "posterior"].map((name) => import(`${laws}/targets/${name}.js`)));
+  const [law, heading, { FITTED }] = await Promise.all(
+    ["aim", "heading", "posterior"].map((name) => import(`${laws}/targets/${name}.js`)),
+  );
   return targets && new Aim(law, heading, targets, FITTED);
 }
 
@@ -80,17 +87,20 @@ export async function compare(laws, stream, coefficients) {
   const predictor = new Stage(await entry.load(), stream.settings, entry.coefficients ? coefficients : undefined);
   predictor.memory.set(stream.known, predictor.settings);
   const aim = await aimOf(laws, stream.targets);
-  const worst = { place: 0, scale: 0, left: 0, tail: 0 }, unequal = [];
+  const worst = { place: 0, scale: 0, left: 0, tail: 0 },
+    unequal = [];
   let start = null;
   stream.rows.forEach((row, i) => {
-    if (row.length === 0) { // a reset
+    if (row.length === 0) {
+      // a reset
       differentiator.reset();
       predictor.reset();
       aim?.reset();
       start = null;
       return;
     }
-    const event = numbers(row), expected = stream.answers[i] && numbers(stream.answers[i]);
+    const event = numbers(row),
+      expected = stream.answers[i] && numbers(stream.answers[i]);
     const before = differentiator.memory.slice();
     const motion = differentiator.step(event);
     let answer = motion[0] === motion[0] ? predictor.step(motion) : motion;
@@ -100,11 +110,20 @@ export async function compare(laws, stream, coefficients) {
     if (!expected) return;
     start ??= event;
     if (Number(answer[PHASE]) !== expected[PHASE]) return unequal.push(i);
-    const far = Math.max(1, ...KINDS.place.map((k) => Math.abs(event[k] - start[k])), ...KINDS.place.map((k) => Math.abs(expected[k] - event[k]) || 0));
-    const sizes = { place: () => far, scale: () => Math.abs(expected[3]) + Math.abs(expected[5]), left: (k) => Math.max(1, expected[k]),
-      tail: (k) => Math.max(1, expected[k]) };
+    const far = Math.max(
+      1,
+      ...KINDS.place.map((k) => Math.abs(event[k] - start[k])),
+      ...KINDS.place.map((k) => Math.abs(expected[k] - event[k]) || 0),
+    );
+    const sizes = {
+      place: () => far,
+      scale: () => Math.abs(expected[3]) + Math.abs(expected[5]),
+      left: (k) => Math.max(1, expected[k]),
+      tail: (k) => Math.max(1, expected[k]),
+    };
     for (const [kind, places] of Object.entries(KINDS))
-      for (const k of places) worst[kind] = Math.max(worst[kind], apart(Number(answer[k]), expected[k], sizes[kind](k)));
+      for (const k of places)
+        worst[kind] = Math.max(worst[kind], apart(Number(answer[k]), expected[k], sizes[kind](k)));
   });
   return { name: stream.name, differentiator: stream.differentiator, ...worst, unequal };
 }
@@ -115,11 +134,19 @@ export async function compare(laws, stream, coefficients) {
  *   decisions: number[][], account: number[], thresholds: number[], fired: number[][]}} given
  */
 export async function compareTargets(laws, given) {
-  const [choice, account, prefetch] = await Promise.all(["choice_law", "ledger", "prefetch"].map((name) => import(`${laws}/targets/${name}.js`)));
-  const aim = await aimOf(laws, given), [table, , keys, shares] = aim.targets, count = table.length, unequal = [];
-  const state = new Float64Array(2).fill(-1), changes = new Float64Array(4), counts = new Float64Array(account.STATES);
+  const [choice, account, prefetch] = await Promise.all(
+    ["choice_law", "ledger", "prefetch"].map((name) => import(`${laws}/targets/${name}.js`)),
+  );
+  const aim = await aimOf(laws, given),
+    [table, , keys, shares] = aim.targets,
+    count = table.length,
+    unequal = [];
+  const state = new Float64Array(2).fill(-1),
+    changes = new Float64Array(4),
+    counts = new Float64Array(account.STATES);
   const rows = Array.from({ length: 60 }, () => new Float64Array(account.FIELDS));
-  const targets = [table, new Float64Array(count), shares], memory = new Float64Array(prefetch.STATES);
+  const targets = [table, new Float64Array(count), shares],
+    memory = new Float64Array(prefetch.STATES);
   const prefetched = [table, Float64Array.from(given.thresholds), new Float64Array(count), new Float64Array(count)];
   let worst = 0;
   account.drop(counts);
@@ -132,7 +159,9 @@ export async function compareTargets(laws, given) {
     if (String(prefetched[3]) !== String(given.fired[i])) unequal.push(i);
     for (let k = 0; k <= count; k++) worst = Math.max(worst, Math.abs(shares[k] - given.shares[i][k]));
   });
-  counts.forEach((value, i) => { worst = Math.max(worst, Math.abs(value - given.account[i]) || 0); });
+  counts.forEach((value, i) => {
+    worst = Math.max(worst, Math.abs(value - given.account[i]) || 0);
+  });
   return { worst, unequal };
 }
 

@@ -6,7 +6,11 @@ import { answer, given } from "./given.mjs";
 
 /** Counts rows; refuses those whose second number is `wrong`, or fails there. @returns {import("../../server/pointpred_server/web/lib/prediction/stage.js").Kind} */
 const counting = (wrong) => ({
-  parameters: [], settings: 0, learned: 0, states: 20, fill() {},
+  parameters: [],
+  settings: 0,
+  learned: 0,
+  states: 20,
+  fill() {},
   step(memory, row) {
     if (row[1] === wrong && fails) throw new Error("the law fails");
     if (row[1] === wrong) return [NaN];
@@ -17,11 +21,13 @@ const counting = (wrong) => ({
 const { steps, fails } = await given();
 const stages = [counting(2), counting(1)].map((kind) => Stage.of(kind, new Float64Array(0)));
 const pipeline = new Pipeline("counting", ...stages);
-answer(steps.map((step) => {
-  try {
-    pipeline.advanceAll(step);
-  } catch (error) {
-    if (!fails) throw error;
-  }
-  return pipeline.remembered.map((memory) => memory[0]);
-}));
+answer(
+  steps.map((step) => {
+    try {
+      pipeline.advanceAll(step);
+    } catch (error) {
+      if (!fails) throw error;
+    }
+    return pipeline.remembered.map((memory) => memory[0]);
+  }),
+);

@@ -6,7 +6,11 @@ import { DIFFERENTIATORS, PREDICTORS } from "../../server/pointpred_server/web/l
 import { answer, given } from "./given.mjs";
 
 const counting = (wrong) => ({
-  parameters: [], settings: 0, learned: 0, states: 1, fill() {},
+  parameters: [],
+  settings: 0,
+  learned: 0,
+  states: 1,
+  fill() {},
   step(memory, row) {
     if (row[1] === wrong) return [NaN];
     memory[0] += 1;
@@ -15,5 +19,6 @@ const counting = (wrong) => ({
 });
 DIFFERENTIATORS.counting = { load: async () => counting(2) };
 PREDICTORS.counting = { differentiator: "counting", load: async () => counting(1) };
-const { rows } = await given(), source = await open("counting");
+const { rows } = await given(),
+  source = await open("counting");
 answer(rows.map((row) => source.add(row)?.slice(2) ?? null));

@@ -2,16 +2,28 @@
 
 /** Why it fired. */
 export type Reason =
-  /** The movement of the pointer heads for the element. */ | "predicted"
-  /** The pointer has gone into it. */ | "entered"
-  /** It has the keyboard focus. */ | "focus"
-  /** A few presses of Tab reach it. */ | "tab"
-  /** A finger was put on it. */ | "touch"
-  /** It came into view on a device that cannot hover. */ | "viewport"
-  /** A scroll is about to bring it under the pointer, or into view. */ | "scroll";
+  /** The movement of the pointer heads for the element. */
+  | "predicted"
+  /** The pointer has gone into it. */
+  | "entered"
+  /** It has the keyboard focus. */
+  | "focus"
+  /** A few presses of Tab reach it. */
+  | "tab"
+  /** A finger was put on it. */
+  | "touch"
+  /** It came into view on a device that cannot hover. */
+  | "viewport"
+  /** A scroll is about to bring it under the pointer, or into view. */
+  | "scroll";
 
 /** px beyond each side. */
-export interface Sides { top?: number; right?: number; bottom?: number; left?: number }
+export interface Sides {
+  top?: number;
+  right?: number;
+  bottom?: number;
+  left?: number;
+}
 
 export interface IntentOptions {
   /**
@@ -154,7 +166,9 @@ export interface Counts {
   lead_s: { count: number; least: number | null; median: number | null; most: number | null };
 }
 
-export interface LedgerSummary extends Counts { names: Record<string, Counts> }
+export interface LedgerSummary extends Counts {
+  names: Record<string, Counts>;
+}
 
 export interface LedgerEntry {
   kind: "fired" | "hit" | "withheld" | "withdrawn";
@@ -178,10 +192,19 @@ export function onLedger(listener: (entry: LedgerEntry) => void): () => void;
 export function showOverlay(): Promise<() => void>;
 
 /** t s, x y px, y down; dx dy: counts of the device; buttons as in pointer events. */
-export interface PointerSample { t: number; x: number; y: number; dx?: number | null; dy?: number | null; buttons?: number }
+export interface PointerSample {
+  t: number;
+  x: number;
+  y: number;
+  dx?: number | null;
+  dy?: number | null;
+  buttons?: number;
+}
 
 export interface PredictionInPage {
-  t: number; x: number; y: number;
+  t: number;
+  x: number;
+  y: number;
   /** [sxx, sxy, syy] px². */
   scale: number[] | null;
   covariance: number[] | null;
@@ -193,11 +216,23 @@ export interface PredictionInPage {
 }
 
 /** x y px; p: how likely it is the destination now, before: before the movement showed anything; spread: standard deviation of visits, px. */
-export interface Place { x: number; y: number; p: number; before: number; visits: number; id: number; spread: number }
+export interface Place {
+  x: number;
+  y: number;
+  p: number;
+  before: number;
+  visits: number;
+  id: number;
+  spread: number;
+}
 
 /** What can be pointed at: its upper left corner and size, px. */
 export interface Target {
-  id: unknown; x: number; y: number; width: number; height: number;
+  id: unknown;
+  x: number;
+  y: number;
+  width: number;
+  height: number;
   /** How likely it is before the pointer moves, relative to the others; 1 by default, 0 never. */
   weight?: number;
   /** What it is to the user, such as `"button"`: what is taken of a kind is learned. */
@@ -238,9 +273,18 @@ export interface Pipeline {
 }
 
 /** A pipeline by its name in the registry, with values for its parameters; `targets`: what can be pointed at. */
-export function build(name: string, options?: { targets?: readonly Target[]; person?: string; [parameter: string]: unknown }): Promise<Pipeline>;
+export function build(
+  name: string,
+  options?: { targets?: readonly Target[]; person?: string; [parameter: string]: unknown },
+): Promise<Pipeline>;
 
-export interface Ellipse { x: number; y: number; major: number; minor: number; angle: number }
+export interface Ellipse {
+  x: number;
+  y: number;
+  major: number;
+  minor: number;
+  angle: number;
+}
 
 /** The ellipse that holds the endpoint with probability `level`; null where no region is claimed. */
 export function regionOf(prediction: object | null | undefined, level: number): Ellipse | null;
@@ -256,7 +300,11 @@ export interface Connection {
   readonly mixture: Mixture | null;
   targets(list: readonly (Target & { id: string })[]): void;
   probability(target: Element | string): number;
-  trial(action: "start" | "end", target?: Element | { x: number; y: number; width: number } | null, conditions?: Record<string, string | number>): void;
+  trial(
+    action: "start" | "end",
+    target?: Element | { x: number; y: number; width: number } | null,
+    conditions?: Record<string, string | number>,
+  ): void;
   configure(changes: Record<string, unknown>): void;
   person(known?: string): Promise<string>;
   enter(key: string, x?: number, y?: number): void;

@@ -99,39 +99,94 @@ export class Connection {
   /** The newest `welcome`. @type {Welcome|null} */ welcome = null;
   /** The newest time from sending events to receiving their prediction, ms. @type {number|null} */ delayMs = null;
   /** Events sent to the service. */ sent = 0;
-  #url; #options; #settings; #socket; #listeners = new Map(NAMES.map((name) => [name, new Set()]));
-  #queue; #unanswered = []; #sentAt = 0; #errorCode = ""; #warned = false;
-  #ids = []; #sentIds = []; // of the targets that the service has, and of those sent that it has not answered
-  #sentTargets = NO_TARGETS; #targetCount = 0; #omitted = 0; #probabilities = []; #pointer = null; #targets; #person; #window = null;
-  #newestTime = -Infinity; #eventAt = -Infinity; #paused = false; #scrolled = false; // s, ms; whether choices wait for an event
-  #pageChoices; #serviceChoices; #proposals = new Proposals((choice) => this.#emit("choice", this.#withElement(choice)));
-  #stop = new AbortController(); #timer;
+  #url;
+  #options;
+  #settings;
+  #socket;
+  #listeners = new Map(NAMES.map((name) => [name, new Set()]));
+  #queue;
+  #unanswered = [];
+  #sentAt = 0;
+  #errorCode = "";
+  #warned = false;
+  #ids = [];
+  #sentIds = []; // of the targets that the service has, and of those sent that it has not answered
+  #sentTargets = NO_TARGETS;
+  #targetCount = 0;
+  #omitted = 0;
+  #probabilities = [];
+  #pointer = null;
+  #targets;
+  #person;
+  #window = null;
+  #newestTime = -Infinity;
+  #eventAt = -Infinity;
+  #paused = false;
+  #scrolled = false; // s, ms; whether choices wait for an event
+  #pageChoices;
+  #serviceChoices;
+  #proposals = new Proposals((choice) => this.#emit("choice", this.#withElement(choice)));
+  #stop = new AbortController();
+  #timer;
 
   /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
   constructor(url, options) {
     const given = withoutUndefined(options);
-    this.#options = { predictor: RECOMMENDED, reply: "frame", encoding: given.page ? "json" : "binary", element: window, pointer: true,
-      coordinates: "client", targets: [], queue: 8192, ...given };
+    this.#options = {
+      predictor: RECOMMENDED,
+      reply: "frame",
+      encoding: given.page ? "json" : "binary",
+      element: window,
+      pointer: true,
+      coordinates: "client",
+      targets: [],
+      queue: 8192,
+      ...given,
+    };
     this.#url = url;
     this.#queue = new EventQueue(this.#options.queue);
     const { predictor, parameters = {}, device, reply, encoding, assist, places } = this.#options;
-    const screen = { width_px: window.screen?.width || undefined, height_px: window.screen?.height || undefined,
-      ...this.#options.screen };
-    this.#settings = new Settings({ type: "hello", version: VERSION, predictor, parameters, device, screen, reply, encoding, assist, places });
+    const screen = {
+      width_px: window.screen?.width || undefined,
+      height_px: window.screen?.height || undefined,
+      ...this.#options.screen,
+    };
+    this.#settings = new Settings({
+      type: "hello",
+      version: VERSION,
+      predictor,
+      parameters,
+      device,
+      screen,
+      reply,
+      encoding,
+      assist,
+      places,
+    });
     this.#person = new Person(this.#options.person ?? "", predictor, {
       send: (message) => this.#transmit(JSON.stringify(message)),
-      onChange: (person) => this.#emit("person", { type: "person", person }) });
+      onChange: (person) => this.#emit("person", { type: "person", person }),
+    });
     const handlers = {
       onOpen: () => this.#socket.send(this.#settings.hello(this.#person.hello(this.#settings.predictor))),
-      onMessage: (data) => this.#receive(data), onClose: () => this.#endSession() };
+      onMessage: (data) => this.#receive(data),
+      onClose: () => this.#endSession(),
+    };
     this.#socket = given.page ? new PageSocket(handlers) : new RetryingSocket(() => this.#address, handlers);
     const { element, pointer, coordinates, targets } = this.#options;
-    const onScreen = coordinates === "screen", { signal } = this.#stop;
-    if (pointer) this.#pointer = new PointerStream(element, { onScreen, onRows: (rows) => this.#addRows(rows), signal });
+    const onScreen = coordinates === "screen",
+      { signal } = this.#stop;
+    if (pointer)
+      this.#pointer = new PointerStream(element, { onScreen, onRows: (rows) => this.#addRows(rows), signal });
     const offset = () => (onScreen && this.#pointer?.offset) || [0, 0];
     this.#targets = new Targets(targets, { offset, onChange: (scrolled) => this.#updateTargets(scrolled), signal });
-    this.#pageChoices = new PageChoices(element, { pointer, idOf: (one) => this.#targets.id(one), onLeave: () => this.#pause(),
-      proposals: this.#proposals, signal });
+    this.#pageChoices = new PageChoices(element, {
+      pointer,
+      idOf: (one) => this.#targets.id(one),
+      onLeave: () => this.#pause(),
+      proposals: this.#proposals,
+      signal,
+    });
     this.#serviceChoices = new ServiceChoices(this.#proposals, this.#pageChoices);
     window.addEventListener("online", () => this.state === "waiting" && this.#open(), { signal });
     this.#timer = setInterval(() => this.#keepAlive(), 1000);
@@ -352,7 +407,8 @@ export class Connection {
       return;
     }
     const message = typeof data === "string" ? JSON.parse(data) : data;
-    if (message.type === "prediction") return this.#addPrediction({ region: null, phase: null, remaining_s: null, ...message });
+    if (message.type === "prediction")
+      return this.#addPrediction({ region: null, phase: null, remaining_s: null, ...message });
     if (message.type === "choice") return this.#serviceChoices.receive(this.#withElement(message));
     if (message.type === "person") return this.#person.receive(message.person, this.welcome.predictor);
     if (message.type === "targets") this.#ids = this.#sentIds.shift() ?? [];
@@ -369,7 +425,8 @@ export class Connection {
 
   #addPrediction(prediction) {
     this.#serviceChoices.confirm(prediction.t);
-    if (prediction.targets) prediction.targets = this.#probabilities = prediction.targets.map((one) => this.#withElement(one));
+    if (prediction.targets)
+      prediction.targets = this.#probabilities = prediction.targets.map((one) => this.#withElement(one));
     const unanswered = this.#unanswered;
     while (unanswered.length && unanswered[0].t < prediction.t) unanswered.shift();
     if (unanswered.length && unanswered[0].t === prediction.t) this.delayMs = performance.now() - unanswered.shift().at;
@@ -407,7 +464,10 @@ export class Connection {
     if (this.state === "connecting" && (code === "unknown_predictor" || code === "bad_field")) {
       this.#errorCode = "hello";
       this.#abandonSocket();
-    } else if (code === "unknown_predictor" || /^\$\.(predictor|parameters|reply|precision|assist|places)/.test(path ?? "")) {
+    } else if (
+      code === "unknown_predictor" ||
+      /^\$\.(predictor|parameters|reply|precision|assist|places)/.test(path ?? "")
+    ) {
       this.#settings.reject();
     }
   }
@@ -495,7 +555,8 @@ export class Connection {
   /** Sends the targets if they have changed, or `always`. @returns {boolean} whether they were sent */
   #sendTargets(always = false) {
     if (!this.#socket.hasSession) return false;
-    const list = this.#targets.list(), { text, omitted, count } = targetsFrame(list, this.welcome.limits);
+    const list = this.#targets.list(),
+      { text, omitted, count } = targetsFrame(list, this.welcome.limits);
     if (text === this.#sentTargets && !always) return false;
     [this.#sentTargets, this.#targetCount] = [text, count];
     if (count === 0) this.#probabilities = [];
@@ -504,7 +565,8 @@ export class Connection {
     const before = this.#omitted;
     this.#omitted = omitted;
     const message = `${omitted} targets beyond the first ${count} were left out: the service takes no more`;
-    if (omitted > before) this.#emit("error", { type: "error", code: "too_many", message, path: "$.targets", recoverable: true });
+    if (omitted > before)
+      this.#emit("error", { type: "error", code: "too_many", message, path: "$.targets", recoverable: true });
     return true;
   }
 
@@ -526,4 +588,5 @@ export class Connection {
 }
 
 /** An option that is undefined counts as not given. */
-const withoutUndefined = (options) => Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
+const withoutUndefined = (options) =>
+  Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));

@@ -13,4 +13,6 @@ connection.on("choice", ({ element: card, action, reason }) => {
   fetch(card.href, { priority: "low" }).catch(() => delete card.dataset.fetched); // a prefetch link would need a policy that allows it
   status.textContent = `Prefetched: ${card.firstElementChild.textContent}.`;
 });
-connection.on("error", ({ message }) => { status.textContent = message; });
+connection.on("error", ({ message }) => {
+  status.textContent = message;
+});

@@ -7,14 +7,25 @@ import * as device from "./device/view.js";
 import * as live from "./live/view.js";
 import { part } from "./shell/elements.js";
 import "./shell/glossary.js";
-import { makeTabs } from "./shell/tabs.js";
 import { refuseFiles } from "./replay/drop.js";
 import * as replay from "./replay/view.js";
 import { hasService, makePlaceSelect, onPlace } from "./service/place.js";
+import { makeTabs } from "./shell/tabs.js";
 
 const PARTS = { live, device, circle, replay, assist };
-const VIEWS = { live: hasService ? ["live", "device"] : ["live"], circle: ["circle"], replay: ["replay"], assist: ["assist"] };
-const STATUS = { live: "live-verdict", device: "device-status", circle: "circle-status", replay: "replay-source", assist: "assist-status" };
+const VIEWS = {
+  live: hasService ? ["live", "device"] : ["live"],
+  circle: ["circle"],
+  replay: ["replay"],
+  assist: ["assist"],
+};
+const STATUS = {
+  live: "live-verdict",
+  device: "device-status",
+  circle: "circle-status",
+  replay: "replay-source",
+  assist: "assist-status",
+};
 const RETRY_MS = 2000;
 
 let current = null;
@@ -32,7 +43,8 @@ function showError(name, error) {
 
 /** Puts the replaced text back, unless the part has written another since. */
 function clearError(name) {
-  const place = part(STATUS[name]), shown = errors.get(name);
+  const place = part(STATUS[name]),
+    shown = errors.get(name);
   if (place.textContent === shown?.message) place.textContent = shown.replaced;
   delete place.dataset.failed;
   errors.delete(name);
@@ -67,7 +79,8 @@ makeTabs(part("tabs"), (view, before) => {
 
 makePlaceSelect(part("place"));
 
-onPlace(() => { // the attached device is shown wherever predictions are made
+onPlace(() => {
+  // the attached device is shown wherever predictions are made
   PARTS[current].close("place");
   open(current);
 });

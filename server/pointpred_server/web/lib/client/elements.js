@@ -5,8 +5,17 @@ const ACTIVE_MS = 500; // and every frame for this long after an event
 
 /** Knows which elements are in view, and reports before a frame is drawn when any may have moved. */
 export class Elements {
-  /** Those of which a part is in view; one that is not in the document is not. @type {Set<Element>} */ inView = new Set();
-  #followed = new WeakSet(); #onFrame; #onView; #signal; #frame = false; #scrolled = false; #activeUntil = 0; #sizes; #views;
+  /** Those of which a part is in view; one that is not in the document is not. @type {Set<Element>} */ inView =
+    new Set();
+  #followed = new WeakSet();
+  #onFrame;
+  #onView;
+  #signal;
+  #frame = false;
+  #scrolled = false;
+  #activeUntil = 0;
+  #sizes;
+  #views;
 
   /**
    * @param {{onFrame: (scrolled: boolean) => void, onView?: (entries: IntersectionObserverEntry[]) => void, signal: AbortSignal}} options
@@ -21,7 +30,8 @@ export class Elements {
       this.#scrolled = true;
       this.schedule();
     };
-    for (const name of ["scroll", "resize"]) window.addEventListener(name, scroll, { signal, capture: true, passive: true });
+    for (const name of ["scroll", "resize"])
+      window.addEventListener(name, scroll, { signal, capture: true, passive: true });
     document.addEventListener("visibilitychange", () => this.schedule(), { signal });
     const timer = setInterval(() => this.inView.size && this.schedule(), IDLE_MS);
     signal.addEventListener("abort", () => {

@@ -7,7 +7,8 @@ const FLUSH_SHARE = 0.75; // of what the service accepts in a second: the rest i
 /** Holds a bounded number of items; the oldest are dropped first. */
 export class EventQueue {
   /** Number of events dropped. */ dropped = 0;
-  #items = []; #capacity;
+  #items = [];
+  #capacity;
 
   /** @param {number} capacity items */
   constructor(capacity) {

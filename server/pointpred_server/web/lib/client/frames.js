@@ -9,14 +9,16 @@ const KINDS = { "<f8": ["Float64", 8], "<i2": ["Int16", 2], "<u2": ["Uint16", 2]
 function layoutOf(fields) {
   let bytes = 0;
   const layout = fields.map(({ packed, optional }) => {
-    const [kind, size] = KINDS[packed], at = bytes;
+    const [kind, size] = KINDS[packed],
+      at = bytes;
     bytes += size;
     return { at, get: `get${kind}`, set: `set${kind}`, optional };
   });
   return { bytes, layout };
 }
 
-const EVENT = layoutOf(EVENT_FIELDS), PREDICTION = layoutOf(PREDICTED);
+const EVENT = layoutOf(EVENT_FIELDS),
+  PREDICTION = layoutOf(PREDICTED);
 const GRID = 64; // steps per px: the browser's layout has no finer ones
 const BYTES = new TextEncoder();
 
@@ -26,7 +28,8 @@ const BYTES = new TextEncoder();
  * @param {import("../pointpred.js").Limits} limits
  * @returns {Generator<{frame: string|ArrayBuffer, last: number, count: number}>}
  */
-export const frames = (rows, encoding, limits) => (encoding === "binary" ? binaryFrames(rows, limits) : textFrames(rows, limits));
+export const frames = (rows, encoding, limits) =>
+  encoding === "binary" ? binaryFrames(rows, limits) : textFrames(rows, limits);
 
 /**
  * An event as the row that is sent; throws a RangeError where a value cannot be sent.
@@ -34,7 +37,8 @@ export const frames = (rows, encoding, limits) => (encoding === "binary" ? binar
  * @returns {import("../pointpred.js").EventRow}
  */
 export function row(event) {
-  const [t, x, y, dx = null, dy = null, buttons = 0] = Array.isArray(event) ? event
+  const [t, x, y, dx = null, dy = null, buttons = 0] = Array.isArray(event)
+    ? event
     : [event.t, event.x, event.y, event.dx, event.dy, event.buttons];
   if (![t, x, y].every(Number.isFinite)) throw new RangeError(`t, x and y must be finite, received ${[t, x, y]}`);
   for (const count of [dx, dy])
@@ -74,7 +78,8 @@ function* binaryFrames(rows, { max_events_per_frame: most, max_frame_bytes: byte
     part.forEach((one, i) => {
       const without = one.includes(null);
       EVENT.layout.forEach(({ at, set, optional }, k) =>
-        view[set](EVENT.bytes * i + at, optional && without ? NO_COUNTS : one[k], true));
+        view[set](EVENT.bytes * i + at, optional && without ? NO_COUNTS : one[k], true),
+      );
     });
     yield { frame: view.buffer, last: part[part.length - 1][0], count: part.length };
   }
@@ -83,7 +88,9 @@ function* binaryFrames(rows, { max_events_per_frame: most, max_frame_bytes: byte
 /** JSON messages. */
 function* textFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes }) {
   const [head, tail] = ['{"type":"events","events":[', "]}"];
-  let part = [], size = head.length + tail.length, last = 0;
+  let part = [],
+    size = head.length + tail.length,
+    last = 0;
   for (const one of rows) {
     const text = JSON.stringify(one);
     if (part.length && (part.length === most || size + text.length + 1 > bytes)) {
@@ -105,7 +112,8 @@ function* textFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes 
 export function* decode(buffer, ids) {
   const view = new DataView(buffer);
   for (let first = 0; first + PREDICTION.bytes <= buffer.byteLength; first += PREDICTION.bytes) {
-    const row = PREDICTION.layout.map(({ at, get }) => view[get](first + at, true)), place = row.pop();
-    yield messageOf(row, ids.length ? ids[place] ?? null : undefined);
+    const row = PREDICTION.layout.map(({ at, get }) => view[get](first + at, true)),
+      place = row.pop();
+    yield messageOf(row, ids.length ? (ids[place] ?? null) : undefined);
   }
 }

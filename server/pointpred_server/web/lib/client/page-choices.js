@@ -22,7 +22,13 @@ export function closest(element, idOf) {
  * proposed until the mouse leaves. Of nested elements the innermost counts.
  */
 export class PageChoices {
-  #idOf; #proposals; #detectsEntry = true; #under = null; #focused = null; #fingers = new Map(); #current = new Map();
+  #idOf;
+  #proposals;
+  #detectsEntry = true;
+  #under = null;
+  #focused = null;
+  #fingers = new Map();
+  #current = new Map();
 
   /**
    * @param {EventTarget} element whose events are listened to
@@ -32,9 +38,21 @@ export class PageChoices {
    */
   constructor(element, { pointer, idOf, onLeave, proposals, signal }) {
     [this.#idOf, this.#proposals] = [idOf, proposals];
-    const listen = (name, handle) => element.addEventListener(name, (event) => handle(event.composedPath()[0], event), { signal, capture: true, passive: true });
-    listen("focusin", (target, { timeStamp }) => this.#update(timeStamp, { focused: target instanceof Element && target.matches(":focus-visible") ? target : null }));
-    listen("focusout", (_, { timeStamp, relatedTarget }) => relatedTarget || this.#update(timeStamp, { focused: null }));
+    const listen = (name, handle) =>
+      element.addEventListener(name, (event) => handle(event.composedPath()[0], event), {
+        signal,
+        capture: true,
+        passive: true,
+      });
+    listen("focusin", (target, { timeStamp }) =>
+      this.#update(timeStamp, {
+        focused: target instanceof Element && target.matches(":focus-visible") ? target : null,
+      }),
+    );
+    listen(
+      "focusout",
+      (_, { timeStamp, relatedTarget }) => relatedTarget || this.#update(timeStamp, { focused: null }),
+    );
     if (!pointer) return;
     const isTouch = ({ pointerType }) => pointerType === "touch";
     const isInside = (other) => other !== null && (!(element instanceof Node) || element.contains(other));
@@ -67,13 +85,20 @@ export class PageChoices {
     [this.#under, this.#focused] = [under, focused];
     this.#choose("entered", "entered", this.#closest(under), timeStamp / 1000, this.#detectsEntry || arrives);
     this.#choose("focus", "focus", this.#closest(focused), timeStamp / 1000);
-    for (const [finger, element] of [...this.#fingers]) this.#choose(`touch ${finger}`, "touch", this.#closest(element), timeStamp / 1000);
+    for (const [finger, element] of [...this.#fingers])
+      this.#choose(`touch ${finger}`, "touch", this.#closest(element), timeStamp / 1000);
   }
 
   /** A finger touches an element, or is lifted (null); it counts for the element it came down on until then. */
   #touch({ pointerId, timeStamp }, element) {
-    const oldest = this.#fingers.size === MOST_FINGERS && element && !this.#fingers.has(pointerId) ? this.#fingers.keys().next().value : pointerId;
-    for (const [finger, touched] of [[oldest, null], [pointerId, element]]) {
+    const oldest =
+      this.#fingers.size === MOST_FINGERS && element && !this.#fingers.has(pointerId)
+        ? this.#fingers.keys().next().value
+        : pointerId;
+    for (const [finger, touched] of [
+      [oldest, null],
+      [pointerId, element],
+    ]) {
       if (touched) this.#fingers.set(finger, touched);
       else this.#fingers.delete(finger);
       this.#choose(`touch ${finger}`, "touch", this.#closest(touched), timeStamp / 1000);

@@ -5,7 +5,13 @@ import { Retries } from "./retries.js";
 /** One session at a time. What is sent is answered after the code that runs now, events as they are and answers as objects. */
 export class PageSocket {
   /** Whether the newest session was ever open: if not, its modules could not be loaded. */ opened = false;
-  #handlers; #session = null; #attempt = 0; #waiting = []; #heard = []; #runs = false; #retries = new Retries();
+  #handlers;
+  #session = null;
+  #attempt = 0;
+  #waiting = [];
+  #heard = [];
+  #runs = false;
+  #retries = new Retries();
 
   /** @param {{onOpen: () => void, onMessage: (message: object) => void, onClose: () => void}} handlers */
   constructor(handlers) {
@@ -89,7 +95,8 @@ export class PageSocket {
   /** Takes in what waits, one after the other, and passes the answers on. */
   async #run() {
     while (this.#waiting.length && this.#session !== null) {
-      const session = this.#session, frame = this.#waiting.shift();
+      const session = this.#session,
+        frame = this.#waiting.shift();
       if (Array.isArray(frame)) session.receiveRows(frame);
       else await session.receive(JSON.parse(frame));
       if (session !== this.#session) continue;

@@ -5,7 +5,13 @@ const REFRESH_MS = 5000; // while the pointer moves, the newest string is reques
 /** Holds the newest string; requests to the service are answered in order. */
 export class Person {
   /** It is part of the next hello of the same predictor. @type {string} */ description;
-  #predictor; #send; #onChange; #requests = []; #inHello = ""; #sent = 0; #requestedAt = -Infinity;
+  #predictor;
+  #send;
+  #onChange;
+  #requests = [];
+  #inHello = "";
+  #sent = 0;
+  #requestedAt = -Infinity;
 
   /**
    * @param {string} description to begin with @param {string} predictor that learned it

@@ -5,7 +5,13 @@ const LAG_S = 0.002; // a dispatch that spans more comes from a page that lags b
 /** Listens to pointer events and passes them on as rows. */
 export class PointerStream {
   /** What turns positions in the viewport into positions on the screen, px. */ offset = [0, 0];
-  #onScreen; #accepts; #onRows; #last = [0, 0, 0]; #pending = []; #clicks = new Map(); #turn = new MessageChannel();
+  #onScreen;
+  #accepts;
+  #onRows;
+  #last = [0, 0, 0];
+  #pending = [];
+  #clicks = new Map();
+  #turn = new MessageChannel();
 
   /**
    * @param {EventTarget} element
@@ -19,7 +25,8 @@ export class PointerStream {
     signal.addEventListener("abort", () => this.#turn.port1.close());
     const settings = { signal, capture: true, passive: true };
     const moves = raw && "onpointerrawupdate" in window ? "pointerrawupdate" : "pointermove";
-    for (const name of [moves, "pointerdown", "pointerup"]) element.addEventListener(name, (event) => this.#add(event), settings);
+    for (const name of [moves, "pointerdown", "pointerup"])
+      element.addEventListener(name, (event) => this.#add(event), settings);
     element.addEventListener("pointercancel", (event) => this.#cancel(event), settings);
   }
 
@@ -28,9 +35,11 @@ export class PointerStream {
    * with moves from after it and delivers them before the click. So rows wait until the events in the queue are delivered.
    */
   flush() {
-    const rows = this.#pending.splice(0), clicks = this.#clicks;
+    const rows = this.#pending.splice(0),
+      clicks = this.#clicks;
     if (rows.length === 0) return;
-    const side = (row) => { // at the time of a click: 0 before it, 1 the click itself, 2 after it
+    const side = (row) => {
+      // at the time of a click: 0 before it, 1 the click itself, 2 after it
       const click = clicks.get(row[0]);
       if (click === undefined || row === click) return click === undefined ? 0 : 1;
       return row[5] === click[5] ? 2 : 0;
@@ -44,8 +53,14 @@ export class PointerStream {
     if (!event.isPrimary || !this.#accepts(event)) return;
     this.offset = [event.screenX - event.clientX, event.screenY - event.clientY];
     const coalesced = event.getCoalescedEvents?.() ?? [];
-    const rows = (coalesced.length ? coalesced : [event]).map((one) => [one.timeStamp / 1000,
-      this.#onScreen ? one.screenX : one.clientX, this.#onScreen ? one.screenY : one.clientY, null, null, one.buttons]);
+    const rows = (coalesced.length ? coalesced : [event]).map((one) => [
+      one.timeStamp / 1000,
+      this.#onScreen ? one.screenX : one.clientX,
+      this.#onScreen ? one.screenY : one.clientY,
+      null,
+      null,
+      one.buttons,
+    ]);
     this.#last = rows[rows.length - 1];
     const waiting = this.#pending.length > 0;
     this.#pending.push(...rows);

@@ -5,7 +5,8 @@
  * and then gets the keyboard focus is proposed once, with the reason that came first.
  */
 export class Proposals {
-  #emit; #choices = new Map(); // by the target's id, then by source
+  #emit;
+  #choices = new Map(); // by the target's id, then by source
 
   /** @param {(choice: import("../pointpred.js").Choice) => void} emit is called after the state has changed */
   constructor(emit) {
@@ -29,7 +30,8 @@ export class Proposals {
 
   /** A source chooses a target, or changes the probability of its choice. @param {string} source @param {import("../pointpred.js").Choice} choice */
   begin(source, choice) {
-    const choices = this.#choices.get(choice.id) ?? new Map(), emitted = choices.size === 0 || choices.has(source);
+    const choices = this.#choices.get(choice.id) ?? new Map(),
+      emitted = choices.size === 0 || choices.has(source);
     choices.set(source, choice);
     this.#choices.set(choice.id, choices);
     if (emitted) this.#emit(choice);
@@ -37,7 +39,8 @@ export class Proposals {
 
   /** A source no longer chooses a target. @param {string} source @param {string} id @param {{p?: number, t?: number|null}} [fields] of the message */
   end(source, id, { p = 0, t = null } = {}) {
-    const choices = this.#choices.get(id), choice = choices?.get(source);
+    const choices = this.#choices.get(id),
+      choice = choices?.get(source);
     if (!choices?.delete(source) || choices.size > 0) return;
     this.#choices.delete(id);
     this.#emit({ ...choice, p, t, action: "retract", reason: null });
@@ -45,6 +48,7 @@ export class Proposals {
 
   /** Retracts everything. */
   clear() {
-    for (const choices of [...this.#choices.values()]) for (const [source, { id }] of [...choices]) this.end(source, id);
+    for (const choices of [...this.#choices.values()])
+      for (const [source, { id }] of [...choices]) this.end(source, id);
   }
 }

@@ -12,7 +12,11 @@ import { ellipse } from "../laws/regions.js";
 export function regionOf(prediction, level) {
   if (!(level > 0 && level < 1)) throw new RangeError(`level must be a probability in (0, 1), received ${level}`);
   if (!prediction?.region || prediction.x === null) return null;
-  const { x, y, region: { sxx, sxy, syy, tail } } = prediction;
+  const {
+    x,
+    y,
+    region: { sxx, sxy, syy, tail },
+  } = prediction;
   const [major, minor, angle] = ellipse(level, sxx, sxy, syy, tail ?? NaN);
   return Number.isNaN(major) ? null : { x, y, major, minor, angle };
 }

@@ -6,7 +6,9 @@ const STEADY_MS = 2000; // a session that lasts this long resets the waits
 
 /** The waits between attempts. */
 export class Retries {
-  #attempts = 0; #timer; #sessionAt = Infinity;
+  #attempts = 0;
+  #timer;
+  #sessionAt = Infinity;
 
   /** Whether a session has begun since the newest attempt. */
   get hasSession() {

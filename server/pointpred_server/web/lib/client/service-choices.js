@@ -5,7 +5,10 @@
  * since. Such a choice is announced once a later event confirms it.
  */
 export class ServiceChoices {
-  #proposals; #page; #pastUntil = -Infinity; #unconfirmed = new Map();
+  #proposals;
+  #page;
+  #pastUntil = -Infinity;
+  #unconfirmed = new Map();
 
   /** @param {import("./proposals.js").Proposals} proposals @param {import("./page-choices.js").PageChoices} page */
   constructor(proposals, page) {

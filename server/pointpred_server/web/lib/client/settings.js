@@ -2,7 +2,9 @@
 
 /** Keeps the settings in force, and the changes that the service has not answered yet. */
 export class Settings {
-  #hello; #precision; #pending = [];
+  #hello;
+  #precision;
+  #pending = [];
 
   /** @param {object} hello the first one */
   constructor(hello) {
@@ -59,9 +61,14 @@ export class Settings {
   /** Puts a change into the next hello. */
   apply({ predictor, parameters, reply, precision, assist, places }) {
     const former = predictor ? {} : this.#hello.parameters;
-    this.#hello = { ...this.#hello, predictor: predictor ?? this.#hello.predictor,
-      parameters: { ...former, ...parameters }, reply: reply ?? this.#hello.reply, assist: assist ?? this.#hello.assist,
-      places: places ?? this.#hello.places };
+    this.#hello = {
+      ...this.#hello,
+      predictor: predictor ?? this.#hello.predictor,
+      parameters: { ...former, ...parameters },
+      reply: reply ?? this.#hello.reply,
+      assist: assist ?? this.#hello.assist,
+      places: places ?? this.#hello.places,
+    };
     this.#precision = precision ?? this.#precision;
   }
 }

@@ -8,7 +8,10 @@ const SUBPROTOCOL = "pointpred.v1";
 /** One WebSocket at a time; events of earlier ones are ignored. */
 export class RetryingSocket {
   /** Whether the newest socket was ever open: if not, the service refused it or cannot be reached. */ opened = false;
-  #address; #handlers; #socket = null; #retries = new Retries();
+  #address;
+  #handlers;
+  #socket = null;
+  #retries = new Retries();
 
   /**
    * @param {() => string} address
@@ -83,7 +86,8 @@ export class RetryingSocket {
     const socket = this.#socket;
     if (farewell && this.hasSession) socket.send(farewell);
     this.#socket = null;
-    if (socket?.readyState === WebSocket.CONNECTING) socket.onopen = () => socket.close(1000); // closing it now would log an error
+    if (socket?.readyState === WebSocket.CONNECTING)
+      socket.onopen = () => socket.close(1000); // closing it now would log an error
     else socket?.close(1000);
   }
 }

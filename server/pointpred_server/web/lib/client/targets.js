@@ -6,7 +6,10 @@ let unnamed = 0;
 
 /** Knows where the targets are, and reports when they may have moved. */
 export class Targets {
-  #rectangles; #offset; #ids = new Map(); #elements;
+  #rectangles;
+  #offset;
+  #ids = new Map();
+  #elements;
 
   /**
    * @param {import("../pointpred.js").Target[]} rectangles

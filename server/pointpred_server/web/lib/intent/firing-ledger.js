@@ -16,7 +16,11 @@ export function attempt(call) {
 
 /** Counts of one name, or of all. */
 class Counts {
-  fired = 0; hit = 0; withheld = 0; withdrawn = 0; leads = new Leads();
+  fired = 0;
+  hit = 0;
+  withheld = 0;
+  withdrawn = 0;
+  leads = new Leads();
 
   /** @returns {import("../index.d.ts").Counts} */
   summary() {
@@ -27,7 +31,10 @@ class Counts {
 
 /** Counts the firings of registered elements, and which of these were used. */
 export class FiringLedger {
-  #all = new Counts(); #names = new Map(); #open = new WeakMap(); #listeners = new Set();
+  #all = new Counts();
+  #names = new Map();
+  #open = new WeakMap();
+  #listeners = new Set();
 
   /** @param {import("./registration.js").Registration} registration @param {import("../index.d.ts").Firing} firing */
   fire(registration, firing) {
@@ -83,6 +90,7 @@ export class FiringLedger {
   }
 
   #tell(kind, { element, name, options: { policy } }, { reason, p, t, lead_s = null }) {
-    for (const listener of this.#listeners) attempt(() => listener({ kind, element, name, policy, reason, p, t, lead_s }));
+    for (const listener of this.#listeners)
+      attempt(() => listener({ kind, element, name, policy, reason, p, t, lead_s }));
   }
 }

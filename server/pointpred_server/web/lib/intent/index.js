@@ -7,9 +7,10 @@
  * Everything runs in the page. Types and every option: `../index.d.ts`.
  */
 
-export { onIntent, register } from "./register.js";
 export { onPlace } from "./places.js";
 export { prefetchLink } from "./prefetch-link.js";
+export { onIntent, register } from "./register.js";
+
 import { ledger as theLedger } from "./registration.js";
 
 /** What has fired so far: hits, unused firings and lead times. @returns {import("../index.d.ts").LedgerSummary} */

@@ -1,7 +1,8 @@
 // What the next presses of Tab reach.
 
-const FOCUSABLE = "a[href], area[href], button, input, select, textarea, summary, iframe, audio[controls], video[controls], "
-  + "[contenteditable]:not([contenteditable=false]), [tabindex]";
+const FOCUSABLE =
+  "a[href], area[href], button, input, select, textarea, summary, iframe, audio[controls], video[controls], " +
+  "[contenteditable]:not([contenteditable=false]), [tabindex]";
 const SEEN = { visibilityProperty: true, contentVisibilityAuto: false };
 
 /**
@@ -13,11 +14,14 @@ const SEEN = { visibilityProperty: true, contentVisibilityAuto: false };
 export function reached(from, backwards, most) {
   const order = [...document.querySelectorAll(FOCUSABLE)].filter(({ tabIndex }) => tabIndex >= 0);
   const rank = ({ tabIndex }) => tabIndex || Infinity;
-  if (order.some(({ tabIndex }) => tabIndex > 0)) order.sort((one, other) => (rank(one) === rank(other) ? 0 : rank(one) - rank(other)));
+  if (order.some(({ tabIndex }) => tabIndex > 0))
+    order.sort((one, other) => (rank(one) === rank(other) ? 0 : rank(one) - rank(other)));
   if (backwards) order.reverse();
   const found = [];
-  for (let i = order.indexOf(from) + 1; i < order.length && found.length < most; i += 1) if (isReachable(order[i])) found.push(order[i]);
+  for (let i = order.indexOf(from) + 1; i < order.length && found.length < most; i += 1)
+    if (isReachable(order[i])) found.push(order[i]);
   return found;
 }
 
-const isReachable = (element) => !element.matches(":disabled") && !element.closest("[inert]") && (element.checkVisibility?.(SEEN) ?? true);
+const isReachable = (element) =>
+  !element.matches(":disabled") && !element.closest("[inert]") && (element.checkVisibility?.(SEEN) ?? true);

@@ -3,8 +3,8 @@
 import { PointerStream } from "../client/pointer-stream.js";
 import { RECOMMENDED } from "../laws/registry.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
+import { claimed, isRefused, REMAINING_S } from "../prediction/row.js";
 import { attempt } from "./firing-ledger.js";
-import { REMAINING_S, claimed, isRefused } from "../prediction/row.js";
 
 const DEFAULTS = { precision: USUAL[0], page: undefined, person: "", store: undefined };
 const TEXTS = ["page", "person", "store"];
@@ -23,11 +23,18 @@ export function onPlace(callback, options) {
 /** @param {import("../index.d.ts").PlaceOptions} given */
 function optionsOf(given = {}) {
   for (const name of Object.keys(given))
-    if (!Object.hasOwn(DEFAULTS, name)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(DEFAULTS).join(", ")}`);
-  const options = { ...DEFAULTS, page: location.pathname, ...Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined)) };
+    if (!Object.hasOwn(DEFAULTS, name))
+      throw new TypeError(`unknown option ${name}; known: ${Object.keys(DEFAULTS).join(", ")}`);
+  const options = {
+    ...DEFAULTS,
+    page: location.pathname,
+    ...Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined)),
+  };
   for (const name of TEXTS)
-    if (options[name] !== undefined && typeof options[name] !== "string") throw new TypeError(`${name} must be a text, received ${options[name]}`);
-  const { precision } = options, [low, high] = [LOWEST[0], HIGHEST[0]];
+    if (options[name] !== undefined && typeof options[name] !== "string")
+      throw new TypeError(`${name} must be a text, received ${options[name]}`);
+  const { precision } = options,
+    [low, high] = [LOWEST[0], HIGHEST[0]];
   if (!(typeof precision === "number" && precision >= low && precision <= high))
     throw new RangeError(`precision must be a number in [${low}, ${high}], received ${precision}`);
   return options;
@@ -36,14 +43,24 @@ function optionsOf(given = {}) {
 /** Follows the pointer, and proposes places of the page; scrolling moves them. */
 class Places {
   /** Settles when the predictor is loaded. @type {Promise<void>} */ ready;
-  #callback; #options; #pipeline = null; #chooser = null; #firings = new Map(); #stop = new AbortController();
+  #callback;
+  #options;
+  #pipeline = null;
+  #chooser = null;
+  #firings = new Map();
+  #stop = new AbortController();
 
   constructor(callback, options) {
     [this.#callback, this.#options] = [callback, options];
     this.ready = this.#load();
     this.ready.catch(reportError);
     const { signal } = this.#stop;
-    new PointerStream(window, { raw: false, accepts: ({ pointerType }) => pointerType !== "touch", onRows: (rows) => this.#follow(rows), signal });
+    new PointerStream(window, {
+      raw: false,
+      accepts: ({ pointerType }) => pointerType !== "touch",
+      onRows: (rows) => this.#follow(rows),
+      signal,
+    });
     window.addEventListener("scroll", () => this.#enter(), { signal, passive: true });
     window.addEventListener("pagehide", () => this.#save(), { signal });
     window.addEventListener("storage", (event) => this.#follows(event) && this.#forget(), { signal });
@@ -70,7 +87,9 @@ class Places {
   /** Whether another page has removed the person from the store: its user wants to be forgotten. @param {StorageEvent} event */
   #follows({ storageArea, key, newValue }) {
     const { store } = this.#options;
-    return store !== undefined && storageArea === localStorage && (key === null || (key === store && newValue === null));
+    return (
+      store !== undefined && storageArea === localStorage && (key === null || (key === store && newValue === null))
+    );
   }
 
   #forget() {
@@ -81,7 +100,10 @@ class Places {
   }
 
   async #load() {
-    const [{ PlaceChooser }, { build }] = await Promise.all([import("../prediction/chooser.js"), import("../prediction/build.js")]);
+    const [{ PlaceChooser }, { build }] = await Promise.all([
+      import("../prediction/chooser.js"),
+      import("../prediction/build.js"),
+    ]);
     this.#pipeline = await this.#known(build);
     this.#chooser = new PlaceChooser(this.#pipeline, { precision: this.#options.precision });
     this.#enter();
@@ -107,7 +129,8 @@ class Places {
   #follow(rows) {
     if (this.#pipeline === null) return;
     for (const [t, x, y, , , buttons] of rows) {
-      const row = [t, x, y, NaN, NaN, buttons], answer = this.#pipeline.advance(row);
+      const row = [t, x, y, NaN, NaN, buttons],
+        answer = this.#pipeline.advance(row);
       if (!isRefused(answer)) for (const choice of this.#chooser.update()) this.#turn(choice, answer, t);
     }
   }
@@ -115,7 +138,15 @@ class Places {
   #turn({ action, id, place, reason, p }, answer, t) {
     if (action === "retract") return this.#end(id);
     const end = new AbortController();
-    const firing = { id, place, reason, p, t, remaining_s: reason === "predicted" ? claimed(answer[REMAINING_S]) : null, signal: end.signal };
+    const firing = {
+      id,
+      place,
+      reason,
+      p,
+      t,
+      remaining_s: reason === "predicted" ? claimed(answer[REMAINING_S]) : null,
+      signal: end.signal,
+    };
     const cleanup = attempt(() => this.#callback(firing));
     this.#firings.set(id, { end, cleanup: typeof cleanup === "function" ? cleanup : null });
   }

@@ -7,7 +7,8 @@ let speculates = globalThis.HTMLScriptElement?.supports?.("speculationrules") ??
 
 // A page whose Content Security Policy refuses inline scripts refuses the rules: links take over.
 globalThis.document?.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => {
-  if (!speculates || blockedURI !== "inline" || !effectiveDirective.startsWith("script-src") || loaded.size === 0) return;
+  if (!speculates || blockedURI !== "inline" || !effectiveDirective.startsWith("script-src") || loaded.size === 0)
+    return;
   speculates = false;
   for (const address of loaded) addLink(address);
 });
@@ -21,11 +22,14 @@ globalThis.document?.addEventListener("securitypolicyviolation", ({ effectiveDir
  * @returns {() => void} stops it
  */
 export function prefetchLink(links, { action = "prefetch", crossOrigin = false, ...options } = {}) {
-  if (action !== "prefetch" && action !== "prerender") throw new TypeError(`action must be prefetch or prerender, received ${action}`);
+  if (action !== "prefetch" && action !== "prerender")
+    throw new TypeError(`action must be prefetch or prerender, received ${action}`);
   const found = typeof links === "string" ? [...document.querySelectorAll(links)] : [links];
   const stops = found.map((link) => {
     if (!(link instanceof HTMLAnchorElement)) throw new TypeError(`a link (<a href>) is needed, received ${link}`);
-    return isLoadable(link, crossOrigin) ? onIntent(link, () => isLoadable(link, crossOrigin) && load(link.href, action), options) : () => {};
+    return isLoadable(link, crossOrigin)
+      ? onIntent(link, () => isLoadable(link, crossOrigin) && load(link.href, action), options)
+      : () => {};
   });
   return () => stops.forEach((stop) => stop());
 }
@@ -34,8 +38,14 @@ export function prefetchLink(links, { action = "prefetch", crossOrigin = false, 
 function isLoadable(link, crossOrigin) {
   const { href, origin, protocol, target } = link;
   const [page, here] = [href, location.href].map((url) => url.replace(/#.*/, ""));
-  return href !== "" && /^https?:$/.test(protocol) && (crossOrigin || origin === location.origin) && page !== here
-    && (target === "" || target === "_self") && !link.hasAttribute("download");
+  return (
+    href !== "" &&
+    /^https?:$/.test(protocol) &&
+    (crossOrigin || origin === location.origin) &&
+    page !== here &&
+    (target === "" || target === "_self") &&
+    !link.hasAttribute("download")
+  );
 }
 
 /** Asks the browser to load a page, once. */

@@ -5,4 +5,9 @@ import type { IntentCallback, IntentOptions } from "../index.d.ts";
 export function useIntent(callback: IntentCallback, options?: IntentOptions): RefCallback<Element>;
 
 /** An element that calls `onIntent`. */
-export function Intent(properties: { as?: ElementType; onIntent: IntentCallback; options?: IntentOptions; [property: string]: unknown }): ReactElement;
+export function Intent(properties: {
+  as?: ElementType;
+  onIntent: IntentCallback;
+  options?: IntentOptions;
+  [property: string]: unknown;
+}): ReactElement;

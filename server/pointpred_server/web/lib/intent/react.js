@@ -10,10 +10,16 @@ import { onIntent } from "./register.js";
  * @returns {(element: Element|null) => void} a ref
  */
 export function useIntent(callback, options = {}) {
-  const [element, ref] = useState(null), newest = useRef();
-  useEffect(() => { newest.current = { callback, options }; });
-  useEffect(() => (element ? onIntent(element, (firing) => newest.current.callback(firing), newest.current.options) : undefined),
-    [element, JSON.stringify(options)]);
+  const [element, ref] = useState(null),
+    newest = useRef();
+  useEffect(() => {
+    newest.current = { callback, options };
+  });
+  useEffect(
+    () =>
+      element ? onIntent(element, (firing) => newest.current.callback(firing), newest.current.options) : undefined,
+    [element, JSON.stringify(options)],
+  );
   return ref;
 }
 

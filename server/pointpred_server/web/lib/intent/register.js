@@ -6,12 +6,29 @@ import { Registration } from "./registration.js";
 import { Source } from "./source.js";
 import { Tracker } from "./tracker.js";
 
-const CHOICES = { predictor: Object.keys(PREDICTORS), policy: ["prefetch", "highlight"], touch: ["start", "viewport", "none"],
+const CHOICES = {
+  predictor: Object.keys(PREDICTORS),
+  policy: ["prefetch", "highlight"],
+  touch: ["start", "viewport", "none"],
   scroll: ["pointer", "view", "none"],
-  saveData: ["respect", "ignore"] };
+  saveData: ["respect", "ignore"],
+};
 const NUMBERS = { priority: [0, 1e6], threshold: [0, 1], again_s: [0, Infinity], keyboard: [0, 20] };
-const DEFAULTS = { policy: "prefetch", predictor: RECOMMENDED, service: undefined, name: "", hitSlop: 0, priority: 1, threshold: THRESHOLD,
-  once: undefined, again_s: Infinity, keyboard: 2, touch: "start", scroll: "pointer", saveData: "respect" };
+const DEFAULTS = {
+  policy: "prefetch",
+  predictor: RECOMMENDED,
+  service: undefined,
+  name: "",
+  hitSlop: 0,
+  priority: 1,
+  threshold: THRESHOLD,
+  once: undefined,
+  again_s: Infinity,
+  keyboard: 2,
+  touch: "start",
+  scroll: "pointer",
+  saveData: "respect",
+};
 const SIDES = ["top", "right", "bottom", "left"];
 
 /** The trackers in use, by their predictor and service. @type {Map<string, Tracker>} */
@@ -55,7 +72,14 @@ function begin(element, callback, given) {
 /** The tracker of a predictor; the first registration begins it. */
 function trackerOf({ predictor, service }) {
   const key = JSON.stringify([predictor, service]);
-  if (!trackers.has(key)) trackers.set(key, new Tracker((onAnswer) => new Source(predictor, service, onAnswer), () => trackers.delete(key)));
+  if (!trackers.has(key))
+    trackers.set(
+      key,
+      new Tracker(
+        (onAnswer) => new Source(predictor, service, onAnswer),
+        () => trackers.delete(key),
+      ),
+    );
   return trackers.get(key);
 }
 
@@ -72,7 +96,8 @@ function optionsOf(given = {}) {
     if (value !== undefined) options[name] = value;
   }
   for (const [name, known] of Object.entries(CHOICES))
-    if (!known.includes(options[name])) throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${options[name]}`);
+    if (!known.includes(options[name]))
+      throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${options[name]}`);
   for (const [name, [low, high]] of Object.entries(NUMBERS)) checkNumber(name, options[name], low, high);
   options.once ??= options.policy === "prefetch";
   options.hitSlop = sidesOf(options.hitSlop);

@@ -16,7 +16,12 @@ function isReduced() {
 /** An element, what is called for it, and the state of that. */
 export class Registration {
   /** The newest firing, until it is withdrawn. @type {import("../index.d.ts").Firing|null} */ firing = null;
-  #callback; #firedAt = -Infinity; #firedIn = -1; #withheld = false; #end = new AbortController(); #cleanup = null;
+  #callback;
+  #firedAt = -Infinity;
+  #firedIn = -1;
+  #withheld = false;
+  #end = new AbortController();
+  #cleanup = null;
 
   /** @param {Element} element @param {import("../index.d.ts").IntentCallback|null} callback @param {object} options with their defaults */
   constructor(element, callback, options) {

@@ -8,7 +8,8 @@ const MARGIN = "25%"; // of the viewport: so near, an element is about to come i
 
 /** Speeds of the elements in view, from where they were a frame ago. */
 export class ScrollAhead {
-  #at = -Infinity; #places = new Map();
+  #at = -Infinity;
+  #places = new Map();
 
   /**
    * The elements that their present speed brings under the pointer. A container that scrolls inside the page counts as the page does.
@@ -17,13 +18,16 @@ export class ScrollAhead {
    * @returns {import("./tracker.js").Entry[]}
    */
   comingUnder(entries, { x, y }, t) {
-    const dt = t - this.#at, before = this.#places;
+    const dt = t - this.#at,
+      before = this.#places;
     [this.#at, this.#places] = [t, new Map(entries.map((entry) => [entry, [entry.row[0], entry.row[1]]]))];
     if (!(dt > 0 && dt < AHEAD_S)) return [];
     return entries.filter((entry) => {
-      const place = before.get(entry), [centreX, centreY] = entry.row;
+      const place = before.get(entry),
+        [centreX, centreY] = entry.row;
       if (!place || entry.isHidden) return false;
-      const vx = (centreX - place[0]) / dt, vy = (centreY - place[1]) / dt;
+      const vx = (centreX - place[0]) / dt,
+        vy = (centreY - place[1]) / dt;
       return Math.hypot(vx, vy) >= SLOWEST && contact(x, y, -vx, -vy, entry.row) <= AHEAD_S; // as the element sees the pointer come
     });
   }
@@ -31,11 +35,17 @@ export class ScrollAhead {
 
 /** Reports elements that come near the viewport, from the first scroll on: what is near it when the page is opened is not meant. */
 export class NearView {
-  #waiting = new Set(); #observer = null;
+  #waiting = new Set();
+  #observer = null;
 
   /** @param {(element: Element) => void} onNear @param {AbortSignal} signal */
   constructor(onNear, signal) {
-    window.addEventListener("scroll", () => this.#begin(onNear, signal), { signal, capture: true, passive: true, once: true });
+    window.addEventListener("scroll", () => this.#begin(onNear, signal), {
+      signal,
+      capture: true,
+      passive: true,
+      once: true,
+    });
   }
 
   /** @param {Element} element */
@@ -45,9 +55,12 @@ export class NearView {
   }
 
   #begin(onNear, signal) {
-    this.#observer = new IntersectionObserver((entries) => {
-      for (const { target, isIntersecting } of entries) if (isIntersecting) onNear(target);
-    }, { rootMargin: MARGIN });
+    this.#observer = new IntersectionObserver(
+      (entries) => {
+        for (const { target, isIntersecting } of entries) if (isIntersecting) onNear(target);
+      },
+      { rootMargin: MARGIN },
+    );
     signal.addEventListener("abort", () => this.#observer.disconnect());
     for (const element of this.#waiting) this.#observer.observe(element);
     this.#waiting.clear();

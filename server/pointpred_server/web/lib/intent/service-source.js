@@ -14,7 +14,9 @@ export function open(predictor, service, onAnswer) {
     const { sxx = NaN, sxy = NaN, syy = NaN, tail } = region ?? {};
     onAnswer([t, x ?? NaN, y ?? NaN, sxx, sxy, syy, remaining_s ?? NaN, NaN, tail ?? NaN, NaN]);
   });
-  const ready = new Promise((resolve) => { connection.on("state", (state) => state === "open" && resolve()); });
+  const ready = new Promise((resolve) => {
+    connection.on("state", (state) => state === "open" && resolve());
+  });
   return {
     ready,
     add(row) {

@@ -1,18 +1,21 @@
 // Predictions made in the page by a predictor that needs no coefficients, with the values of the registry.
 // `build` gives the same predictions; it also checks values of one's own, restores persons and says why an event is refused.
 
-import { isRefused } from "../prediction/row.js";
 import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../laws/registry.js";
+import { isRefused } from "../prediction/row.js";
 
 /** @param {string} name of the registry @returns {Promise<object>} as `Source` uses it */
 export async function open(name) {
-  const { differentiator: law, preset, load } = PREDICTORS[name], values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
+  const { differentiator: law, preset, load } = PREDICTORS[name],
+    values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
   const kinds = await Promise.all([DIFFERENTIATORS[law].load(), load()]);
-  const [differentiator, predictor] = kinds.map((kind) => stageOf(kind, values)), before = differentiator.memory.slice();
+  const [differentiator, predictor] = kinds.map((kind) => stageOf(kind, values)),
+    before = differentiator.memory.slice();
   return {
     add(row) {
       before.set(differentiator.memory);
-      const motion = differentiator.step(row), answer = isRefused(motion) ? motion : predictor.step(motion);
+      const motion = differentiator.step(row),
+        answer = isRefused(motion) ? motion : predictor.step(motion);
       if (!isRefused(answer)) return answer;
       differentiator.memory.set(before); // it has moved on where the predictor refuses its motion
       return null;

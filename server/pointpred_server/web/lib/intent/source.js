@@ -20,7 +20,8 @@ const inPage = ({ build }) => ({
 });
 
 /** When the page has nothing else to do; some browsers do not tell. */
-const idle = () => new Promise((resolve) => (globalThis.requestIdleCallback ?? setTimeout)(resolve, { timeout: PATIENCE_MS }));
+const idle = () =>
+  new Promise((resolve) => (globalThis.requestIdleCallback ?? setTimeout)(resolve, { timeout: PATIENCE_MS }));
 
 /**
  * A predictor, which is loaded when it is first needed. Until then it predicts nothing; but before the recommended one, which is
@@ -29,14 +30,17 @@ const idle = () => new Promise((resolve) => (globalThis.requestIdleCallback ?? s
 export class Source {
   /** Settles when this predictor's predictions can come: it is loaded, or the service has answered. @type {Promise<void>} */ ready;
   /** The name of the predictor that predicts now; null while none is loaded. @type {string|null} */ predictor = null;
-  #loaded = null; #next = null; #closed = false;
+  #loaded = null;
+  #next = null;
+  #closed = false;
 
   /**
    * @param {string} predictor a name of the registry @param {string|undefined} service its address, if the service predicts
    * @param {(row: number[]) => void} onAnswer a prediction has come that `add` did not return, as a row
    */
   constructor(predictor, service, onAnswer) {
-    this.ready = predictor === RECOMMENDED && service === undefined ? this.#loadBoth() : this.#load(predictor, service, onAnswer);
+    this.ready =
+      predictor === RECOMMENDED && service === undefined ? this.#loadBoth() : this.#load(predictor, service, onAnswer);
     this.ready.catch(reportError);
   }
 
@@ -47,8 +51,11 @@ export class Source {
   }
 
   async #load(predictor, service, onAnswer) {
-    const { open } = await (service !== undefined ? import("./service-source.js")
-      : SMALL.includes(predictor) ? import("./small-source.js") : import("../prediction/build.js").then(inPage));
+    const { open } = await (service !== undefined
+      ? import("./service-source.js")
+      : SMALL.includes(predictor)
+        ? import("./small-source.js")
+        : import("../prediction/build.js").then(inPage));
     const loaded = await open(predictor, service, onAnswer);
     if (this.#closed) return loaded.close();
     this.#next = { loaded, predictor };

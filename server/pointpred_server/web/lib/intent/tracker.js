@@ -5,7 +5,7 @@ import { closest, PageChoices } from "../client/page-choices.js";
 import { PointerStream } from "../client/pointer-stream.js";
 import { Proposals } from "../client/proposals.js";
 import { CENTRE_X, CENTRE_Y, FIELDS, HEIGHT, WIDTH } from "../laws/targets/rectangles.js";
-import { REMAINING_S, claimed } from "../prediction/row.js";
+import { claimed, REMAINING_S } from "../prediction/row.js";
 import { ledger } from "./registration.js";
 import { Shares } from "./shares.js";
 
@@ -20,11 +20,14 @@ let entries = 0; // so far
 
 /** A registered element. */
 class Entry {
-  /** Its place as a row of the targets' table: centre and size px with the slop, logarithm of its weight. */ row = new Float64Array(FIELDS);
+  /** Its place as a row of the targets' table: centre and size px with the slop, logarithm of its weight. */ row =
+    new Float64Array(FIELDS);
   /** Whether nothing of it can be seen. */ isHidden = true;
   /** The same in none of the others. */ number = (entries += 1);
   /** @type {Set<import("./registration.js").Registration>} */ registrations = new Set();
-  #slop = [0, 0, 0, 0]; #coveredAt = -Infinity; #covered = false;
+  #slop = [0, 0, 0, 0];
+  #coveredAt = -Infinity;
+  #covered = false;
 
   /** @param {Element} element */
   constructor(element) {
@@ -34,10 +37,13 @@ class Entry {
   /** Takes the largest weight and slop of its registrations, and for each policy the lowest threshold. */
   update() {
     const options = [...this.registrations].map((one) => one.options);
-    const lowest = (policy) => Math.min(...[...this.registrations].filter((one) => one.follows(policy)).map((one) => one.options.threshold));
+    const lowest = (policy) =>
+      Math.min(...[...this.registrations].filter((one) => one.follows(policy)).map((one) => one.options.threshold));
     this.weight = Math.max(0, ...options.map(({ priority }) => priority));
     [this.prefetchFrom, this.highlightFrom] = [lowest("prefetch"), lowest("highlight")];
-    this.#slop = ["top", "right", "bottom", "left"].map((side) => Math.max(0, ...options.map(({ hitSlop }) => hitSlop[side])));
+    this.#slop = ["top", "right", "bottom", "left"].map((side) =>
+      Math.max(0, ...options.map(({ hitSlop }) => hitSlop[side])),
+    );
   }
 
   /** What it is to the user: its name in HTML and its size, to the nearest power of two. */
@@ -48,7 +54,9 @@ class Entry {
 
   /** Measures it. @param {DOMRectReadOnly} [box] if its rectangle is known already @returns {boolean} whether it was hidden before and is not now, or the reverse */
   measure(box = this.element.getBoundingClientRect()) {
-    const { left, top, width, height } = box, [up, right, down, back] = this.#slop, { row, isHidden } = this;
+    const { left, top, width, height } = box,
+      [up, right, down, back] = this.#slop,
+      { row, isHidden } = this;
     const options = { visibilityProperty: true, opacityProperty: true, contentVisibilityAuto: true };
     this.isHidden = !(width > 0 && height > 0 && this.weight > 0 && (this.element.checkVisibility?.(options) ?? true));
     row[CENTRE_X] = this.isHidden ? NaN : left + 0.5 * (width + right - back); // not a number is inside nothing
@@ -73,8 +81,24 @@ class Entry {
 
 /** Registered elements that share a predictor. */
 export class Tracker {
-  #entries = new WeakMap(); #count = 0; #shares = new Shares(); #source; #onIdle; #eventAt = -Infinity; #visit = 0; #next = 0; #changed = false;
-  #elements; #stop = new AbortController(); #pageChoices; #predicted; #over; #ahead = null; #near = null; #rows = []; #buttons = 0;
+  #entries = new WeakMap();
+  #count = 0;
+  #shares = new Shares();
+  #source;
+  #onIdle;
+  #eventAt = -Infinity;
+  #visit = 0;
+  #next = 0;
+  #changed = false;
+  #elements;
+  #stop = new AbortController();
+  #pageChoices;
+  #predicted;
+  #over;
+  #ahead = null;
+  #near = null;
+  #rows = [];
+  #buttons = 0;
   #highlights = new Proposals((choice) => this.#highlight(choice));
 
   /**
@@ -85,10 +109,28 @@ export class Tracker {
     const { signal } = this.#stop;
     this.#onIdle = onIdle;
     this.#source = open((answer) => this.#choose(answer));
-    this.#elements = new Elements({ onFrame: (scrolled) => this.#update(scrolled), onView: (seen) => this.#setInView(seen), signal });
-    new PointerStream(window, { raw: false, accepts: ({ pointerType }) => pointerType !== "touch", onRows: (rows) => this.#addRows(rows), signal });
-    this.#pageChoices = new PageChoices(window, { pointer: true, idOf: (one) => this.#entries.get(one), onLeave: () => this.#pause(), signal,
-      proposals: { has: (entry) => this.#highlights.has(entry), begin: (...begun) => this.#begin(...begun), end: (...ended) => this.#highlights.end(...ended) } });
+    this.#elements = new Elements({
+      onFrame: (scrolled) => this.#update(scrolled),
+      onView: (seen) => this.#setInView(seen),
+      signal,
+    });
+    new PointerStream(window, {
+      raw: false,
+      accepts: ({ pointerType }) => pointerType !== "touch",
+      onRows: (rows) => this.#addRows(rows),
+      signal,
+    });
+    this.#pageChoices = new PageChoices(window, {
+      pointer: true,
+      idOf: (one) => this.#entries.get(one),
+      onLeave: () => this.#pause(),
+      signal,
+      proposals: {
+        has: (entry) => this.#highlights.has(entry),
+        begin: (...begun) => this.#begin(...begun),
+        end: (...ended) => this.#highlights.end(...ended),
+      },
+    });
     const listen = (name, handle) => window.addEventListener(name, handle, { signal, capture: true, passive: true });
     for (const name of ["click", "auxclick"]) listen(name, (event) => this.#activate(event));
     listen("keydown", (event) => event.key === "Tab" && this.#tab(event));
@@ -110,7 +152,8 @@ export class Tracker {
 
   /** @param {import("./registration.js").Registration} registration */
   remove(registration) {
-    const { element } = registration, entry = this.#entries.get(element);
+    const { element } = registration,
+      entry = this.#entries.get(element);
     if (!entry?.registrations.delete(registration)) return;
     registration.stop();
     entry.update();
@@ -138,7 +181,18 @@ export class Tracker {
   /** What a picture of it needs. */
   get view() {
     const { entries, cursor, answer } = this.#shares;
-    return { cursor, answer, predictor: this.#source.predictor, elements: entries.map(({ element, row, isHidden, registrations }, i) => ({ element, row, isHidden, registrations, share: this.#shares.share(i) })) };
+    return {
+      cursor,
+      answer,
+      predictor: this.#source.predictor,
+      elements: entries.map(({ element, row, isHidden, registrations }, i) => ({
+        element,
+        row,
+        isHidden,
+        registrations,
+        share: this.#shares.share(i),
+      })),
+    };
   }
 
   #close() {
@@ -162,7 +216,9 @@ export class Tracker {
     const rows = this.#rows.splice(0);
     if (rows.length === 0) return;
     let answer = null;
-    const entered = this.#shares.follow(rows, (row, begins) => { answer = this.#source.add(row, begins); });
+    const entered = this.#shares.follow(rows, (row, begins) => {
+      answer = this.#source.add(row, begins);
+    });
     for (const entry of entered) this.#firePrefetch(entry, "entered", { isSeen: false });
     if (!this.#source.flush()) this.#choose(answer);
   }
@@ -172,7 +228,8 @@ export class Tracker {
     const shares = this.#shares;
     shares.weigh(answer);
     for (const entry of shares.worthPrefetching()) this.#firePrefetch(entry, "predicted", { isSeen: false });
-    const predicted = shares.headedFor(), over = shares.enclosing();
+    const predicted = shares.headedFor(),
+      over = shares.enclosing();
     this.#predicted = this.#turn("predicted", this.#predicted, predicted);
     this.#over = this.#turn("entered", this.#over, over === predicted ? undefined : over);
   }
@@ -182,7 +239,14 @@ export class Tracker {
     if (before === now) return before;
     const { t } = this.#shares.cursor;
     const visible = now && now.highlightFrom < Infinity && !now.isCovered ? now : undefined;
-    if (visible) this.#highlights.begin(`law ${reason}`, { id: visible, p: this.share(visible.element), t, reason, action: "propose" });
+    if (visible)
+      this.#highlights.begin(`law ${reason}`, {
+        id: visible,
+        p: this.share(visible.element),
+        t,
+        reason,
+        action: "propose",
+      });
     if (before) this.#highlights.end(`law ${reason}`, before, { t });
     return now;
   }
@@ -191,15 +255,25 @@ export class Tracker {
     for (const one of entry.registrations) {
       if (one.options.policy !== "highlight") continue;
       if (action === "retract") one.withdraw(t ?? performance.now() / 1000);
-      else if (one.follows("highlight") && one.mayFire(t, this.#visit)) one.fire(this.#cause(reason, p, t), this.#visit);
+      else if (one.follows("highlight") && one.mayFire(t, this.#visit))
+        one.fire(this.#cause(reason, p, t), this.#visit);
     }
   }
 
   /** `isSeen` false: something else may lie over the element, which its rectangle does not tell. */
-  #firePrefetch(entry, reason, { p = this.share(entry.element), t = this.#shares.cursor.t, press = 0, into = "", isSeen = true }) {
+  #firePrefetch(
+    entry,
+    reason,
+    { p = this.share(entry.element), t = this.#shares.cursor.t, press = 0, into = "", isSeen = true },
+  ) {
     const visit = this.#visit + this.#shares.movement;
     for (const one of entry.registrations)
-      if (one.follows("prefetch") && one.mayFire(t, visit) && accepts(one.options, reason, { press, into }) && (isSeen || !entry.isCovered))
+      if (
+        one.follows("prefetch") &&
+        one.mayFire(t, visit) &&
+        accepts(one.options, reason, { press, into }) &&
+        (isSeen || !entry.isCovered)
+      )
         one.fire(this.#cause(reason, p, t), visit);
   }
 
@@ -212,7 +286,8 @@ export class Tracker {
     const { id: entry, reason } = choice;
     if (reason !== "entered") this.#visit += 1;
     this.#firePrefetch(entry, reason, choice);
-    if ([...entry.registrations].some((one) => one.follows("highlight") && accepts(one.options, reason, choice))) this.#highlights.begin(source, choice);
+    if ([...entry.registrations].some((one) => one.follows("highlight") && accepts(one.options, reason, choice)))
+      this.#highlights.begin(source, choice);
   }
 
   /** The pointer is elsewhere. */
@@ -227,7 +302,8 @@ export class Tracker {
       const entry = this.#entries.get(target);
       if (!isIntersecting || !entry) continue;
       entry.measure(boundingClientRect);
-      if (navigator.maxTouchPoints > 0 && matchMedia("(hover: none)").matches) this.#firePrefetch(entry, "viewport", { p: 1, t: performance.now() / 1000 });
+      if (navigator.maxTouchPoints > 0 && matchMedia("(hover: none)").matches)
+        this.#firePrefetch(entry, "viewport", { p: 1, t: performance.now() / 1000 });
     }
   }
 
@@ -244,11 +320,14 @@ export class Tracker {
 
   /** Measures every element after a scroll; otherwise the likely ones, and some of the others in turn. */
   #measure(scrolled) {
-    const { entries } = this.#shares, first = this.#next, count = entries.length;
+    const { entries } = this.#shares,
+      first = this.#next,
+      count = entries.length;
     this.#next = (first + A_FRAME) % count;
     let changed = false;
     for (let i = 0; i < count; i += 1)
-      if (scrolled || (i - first + count) % count < A_FRAME || this.#shares.share(i) >= LIKELY) changed = entries[i].measure() || changed;
+      if (scrolled || (i - first + count) % count < A_FRAME || this.#shares.share(i) >= LIKELY)
+        changed = entries[i].measure() || changed;
     if (changed) this.#shares.replace(entries);
   }
 
@@ -257,7 +336,10 @@ export class Tracker {
     const entries = [...this.#elements.inView].map((element) => this.#entries.get(element)).filter(Boolean);
     for (const entry of entries) entry.measure();
     this.#shares.replace(entries);
-    for (const [reason, entry] of [["predicted", this.#predicted], ["entered", this.#over]])
+    for (const [reason, entry] of [
+      ["predicted", this.#predicted],
+      ["entered", this.#over],
+    ])
       if (entry && !entries.includes(entry)) this.#turn(reason, entry, undefined);
   }
 
@@ -290,9 +372,11 @@ export class Tracker {
 
   /** A scroll that goes on while the pointer rests. */
   async #scroll(entries) {
-    const { ScrollAhead } = await import("./scroll.js"), t = performance.now() / 1000;
+    const { ScrollAhead } = await import("./scroll.js"),
+      t = performance.now() / 1000;
     this.#ahead ??= new ScrollAhead();
-    for (const entry of this.#ahead.comingUnder(entries, this.#shares.cursor, t)) this.#firePrefetch(entry, "scroll", { t, isSeen: false, into: "pointer" });
+    for (const entry of this.#ahead.comingUnder(entries, this.#shares.cursor, t))
+      this.#firePrefetch(entry, "scroll", { t, isSeen: false, into: "pointer" });
   }
 }
 

@@ -7,7 +7,8 @@ const registered = new WeakMap(); // by element: the newest callback, its option
 const parts = (value) => (typeof value === "function" ? { callback: value } : value);
 
 function mounted(element, { value }) {
-  const { callback, ...options } = parts(value), one = { callback, key: JSON.stringify(options) };
+  const { callback, ...options } = parts(value),
+    one = { callback, key: JSON.stringify(options) };
   one.stop = onIntent(element, (firing) => one.callback(firing), options);
   registered.set(element, one);
 }
@@ -19,7 +20,8 @@ function unmounted(element) {
 
 /** A new callback is called from then on. Changed options register the element again. */
 function updated(element, binding) {
-  const { callback, ...options } = parts(binding.value), one = registered.get(element);
+  const { callback, ...options } = parts(binding.value),
+    one = registered.get(element);
   if (JSON.stringify(options) === one.key) one.callback = callback;
   else {
     unmounted(element);

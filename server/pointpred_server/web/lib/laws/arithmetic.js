@@ -1,6 +1,7 @@
 // What laws in Python compute otherwise than JavaScript's own operators and functions do.
 
-const LEAST_SQUARED = 1e-140, MOST_SQUARED = 1e150; // roots of sums of squares between these lost nothing on the way
+const LEAST_SQUARED = 1e-140,
+  MOST_SQUARED = 1e150; // roots of sums of squares between these lost nothing on the way
 const LN_ROOT_2PI = 0.5 * Math.log(2 * Math.PI);
 const STIRLING_FROM = 10; // from here on the series below is exact in floats
 const SERIES_TO = 3; // up to here erf is summed as a series, beyond as a continued fraction
@@ -59,7 +60,8 @@ export function erf(x) {
   if (size >= 6) return Math.sign(x);
   const density = (2 / Math.sqrt(Math.PI)) * Math.exp(-size * size);
   if (size < SERIES_TO) {
-    let term = size, sum = 0;
+    let term = size,
+      sum = 0;
     for (let n = 1; sum + term !== sum; n++) {
       sum += term;
       term *= (2 * size * size) / (2 * n + 1);
@@ -73,9 +75,12 @@ export function erf(x) {
 
 /** The logarithm of the gamma function of a positive number. */
 export function lgamma(x) {
-  let product = 1, at = x;
+  let product = 1,
+    at = x;
   for (; at < STIRLING_FROM; at++) product *= at;
-  const r = 1 / at, r2 = r * r;
-  const series = r * (1 / 12 - r2 * (1 / 360 - r2 * (1 / 1260 - r2 * (1 / 1680 - r2 * (1 / 1188 - (r2 * 691) / 360360)))));
+  const r = 1 / at,
+    r2 = r * r;
+  const series =
+    r * (1 / 12 - r2 * (1 / 360 - r2 * (1 / 1260 - r2 * (1 / 1680 - r2 * (1 / 1188 - (r2 * 691) / 360360)))));
   return (at - 0.5) * Math.log(at) - at + LN_ROOT_2PI + series - Math.log(product);
 }

@@ -18,7 +18,9 @@ export class Aim {
   /** What is known of the person, the cursor and the movement, as laws take it. */ memory = new Float64Array(LENGTH);
   /** Of the targets, in their order. @type {unknown[]} */ ids = [];
   /** The registered targets. @type {readonly Target[]} */ list = [];
-  #values; #targets; #keys = new Keys();
+  #values;
+  #targets;
+  #keys = new Keys();
 
   /** @param {Float64Array} [values] of its parameters, checked */
   constructor(values = valuesOf(law.Aim.parameters, {})) {
@@ -32,7 +34,12 @@ export class Aim {
     const table = tableOf(targets);
     this.list = [...targets];
     this.ids = targets.map(({ id }) => id);
-    this.#targets = [table, Float64Array.from(table, (row) => row[LOG_WEIGHT]), this.#keys.of(targets), new Float64Array(table.length + 1)];
+    this.#targets = [
+      table,
+      Float64Array.from(table, (row) => row[LOG_WEIGHT]),
+      this.#keys.of(targets),
+      new Float64Array(table.length + 1),
+    ];
     begin(this.memory, this.#targets);
   }
 
@@ -53,7 +60,8 @@ export class Aim {
 
   /** The likeliest targets and their shares, best first. @param {number} [most] @returns {{id: unknown, p: number}[]} */
   likeliest(most = 5) {
-    const { ids, shares } = this, order = new Float64Array(Math.min(most, ids.length));
+    const { ids, shares } = this,
+      order = new Float64Array(Math.min(most, ids.length));
     rank(shares, ids.length, order);
     return Array.from(order, (place) => ({ id: ids[place], p: shares[place] }));
   }
@@ -76,7 +84,8 @@ export class Aim {
 
   /** The law of the endpoint by the targets; elsewhere it is the predictor's own. Null where no endpoint was stated. @param {Mixture|null} own */
   mixture(own) {
-    const rows = partRows(this.ids.length + 1), [count, ...offsets] = law.lay_parts(this.memory, this.#targets, rows);
+    const rows = partRows(this.ids.length + 1),
+      [count, ...offsets] = law.lay_parts(this.memory, this.#targets, rows);
     return count === 0 ? null : new Mixture(rows.slice(0, count), offsets).among(own);
   }
 
@@ -108,7 +117,9 @@ export class Aim {
 
   set remembered([memory, weights, shares]) {
     this.memory.set(memory);
-    this.table.forEach((row, i) => { row[LOG_WEIGHT] = weights[i]; });
+    this.table.forEach((row, i) => {
+      row[LOG_WEIGHT] = weights[i];
+    });
     this.shares.set(shares);
   }
 

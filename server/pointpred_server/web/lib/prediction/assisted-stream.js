@@ -2,7 +2,7 @@
 
 import { LARGEST } from "../laws/records.js";
 import { as_normal as asNormal } from "../laws/regions.js";
-import { END, guarded_step as step, SETTINGS, USUAL_GUARD } from "../laws/transfer/assistance.js";
+import { END, SETTINGS, guarded_step as step, USUAL_GUARD } from "../laws/transfer/assistance.js";
 import { CONSTANT, MACOS, SIGMOID, SLOTS } from "../laws/transfer/functions.js";
 import { lay_out as layOut, USUAL_TIMES_S } from "../laws/transfer/pixels.js";
 import { ProtocolError } from "./messages.js";
@@ -13,7 +13,8 @@ import { PredictionStream } from "./stream.js";
  * the cursor stands before it; positions in later ones are not used. A reset leaves the cursor where it is.
  */
 export class AssistedStream extends PredictionStream {
-  #memory; #cursor = { place: null, added: 0, guidance: null };
+  #memory;
+  #cursor = { place: null, added: 0, guidance: null };
 
   constructor(hello, pipeline, send) {
     super(hello, pipeline, send);
@@ -52,7 +53,10 @@ export class AssistedStream extends PredictionStream {
   }
 
   beforePredictions(t) {
-    const { place: [x, y], added } = this.#cursor;
+    const {
+      place: [x, y],
+      added,
+    } = this.#cursor;
     this.send({ type: "cursor", t, x, y, added_px: added });
   }
 
@@ -82,12 +86,18 @@ export class AssistedStream extends PredictionStream {
 
 /** The memory of the transfer function that a client asks for, without states; throws a ProtocolError. */
 function memoryOf({ device, screen }, { strength, rho, function: kind, gain }) {
-  if (device?.cpi == null) throw new ProtocolError("bad_field", "assistance needs the counts per inch of the device", "$.device.cpi", { field: "cpi", value: null });
-  const slots = new Float64Array(SLOTS), memory = new Float64Array(END);
+  if (device?.cpi == null)
+    throw new ProtocolError("bad_field", "assistance needs the counts per inch of the device", "$.device.cpi", {
+      field: "cpi",
+      value: null,
+    });
+  const slots = new Float64Array(SLOTS),
+    memory = new Float64Array(END);
   slots.set(kind === "constant" ? [CONSTANT, gain] : [SIGMOID, ...MACOS]);
   layOut(memory, [rho, strength, ...USUAL_GUARD], [device.cpi, screen.dpi, ...USUAL_TIMES_S], slots);
   return memory;
 }
 
 /** A coordinate on a screen of a size; without one, within what a pipeline takes. */
-const within = (place, size) => size == null ? Math.min(Math.max(place, -LARGEST), LARGEST) : Math.min(Math.max(place, 0), Math.max(size - 1, 0));
+const within = (place, size) =>
+  size == null ? Math.min(Math.max(place, -LARGEST), LARGEST) : Math.min(Math.max(place, 0), Math.max(size - 1, 0));

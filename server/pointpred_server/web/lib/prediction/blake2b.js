@@ -3,16 +3,42 @@
 const BLOCK = 128;
 /** The initial values, the lower half of each before its upper half. */
 const INITIAL = Uint32Array.of(
-  0xf3bcc908, 0x6a09e667, 0x84caa73b, 0xbb67ae85, 0xfe94f82b, 0x3c6ef372, 0x5f1d36f1, 0xa54ff53a,
-  0xade682d1, 0x510e527f, 0x2b3e6c1f, 0x9b05688c, 0xfb41bd6b, 0x1f83d9ab, 0x137e2179, 0x5be0cd19);
+  0xf3bcc908,
+  0x6a09e667,
+  0x84caa73b,
+  0xbb67ae85,
+  0xfe94f82b,
+  0x3c6ef372,
+  0x5f1d36f1,
+  0xa54ff53a,
+  0xade682d1,
+  0x510e527f,
+  0x2b3e6c1f,
+  0x9b05688c,
+  0xfb41bd6b,
+  0x1f83d9ab,
+  0x137e2179,
+  0x5be0cd19,
+);
 /** The order in which the words of a block are mixed in, one line a round. */
 const ORDER = [
-  "0123456789abcdef", "ea489fd61c02b753", "b8c052fdae367194", "7931dcbe265a40f8", "905724afe1bc683d", "2c6a0b834d75fe19",
-  "c51fed4a0763928b", "db7ec13950f4862a", "6fe9b308c2d714a5", "a2847615fb9e3cd0", "0123456789abcdef", "ea489fd61c02b753",
+  "0123456789abcdef",
+  "ea489fd61c02b753",
+  "b8c052fdae367194",
+  "7931dcbe265a40f8",
+  "905724afe1bc683d",
+  "2c6a0b834d75fe19",
+  "c51fed4a0763928b",
+  "db7ec13950f4862a",
+  "6fe9b308c2d714a5",
+  "a2847615fb9e3cd0",
+  "0123456789abcdef",
+  "ea489fd61c02b753",
 ].map((line) => Array.from(line, (digit) => 2 * Number.parseInt(digit, 16)));
 /** The words that are mixed together in each round: columns, then diagonals. */
 const QUARTERS = ["048c", "159d", "26ae", "37bf", "05af", "16bc", "278d", "349e"].map((line) =>
-  Array.from(line, (digit) => 2 * Number.parseInt(digit, 16)));
+  Array.from(line, (digit) => 2 * Number.parseInt(digit, 16)),
+);
 
 /** words[a] += low + 2^32 high, where words[a] and words[a + 1] are the halves of a number. */
 function add(words, a, low, high) {
@@ -23,7 +49,8 @@ function add(words, a, low, high) {
 
 /** words[a] = (words[a] ^ words[b]) turned right by `bits`. */
 function turn(words, a, b, bits) {
-  let low = words[a] ^ words[b], high = words[a + 1] ^ words[b + 1];
+  let low = words[a] ^ words[b],
+    high = words[a + 1] ^ words[b + 1];
   if (bits >= 32) [low, high] = [high, low];
   const rest = bits % 32;
   words[a] = rest ? (low >>> rest) | (high << (32 - rest)) : low;
@@ -50,7 +77,8 @@ function compress(state, block, length, last) {
   words.set(INITIAL, 16);
   words[24] ^= length;
   if (last) [words[28], words[29]] = [~words[28], ~words[29]];
-  for (const order of ORDER) QUARTERS.forEach((quarter, k) => mix(words, quarter, block, order[2 * k], order[2 * k + 1]));
+  for (const order of ORDER)
+    QUARTERS.forEach((quarter, k) => mix(words, quarter, block, order[2 * k], order[2 * k + 1]));
   for (let i = 0; i < 16; i++) state[i] ^= words[i] ^ words[i + 16];
 }
 
@@ -60,7 +88,8 @@ export function digest(bytes, size = 8) {
   state[0] ^= 0x01010000 ^ size;
   const blocks = Math.max(1, Math.ceil(bytes.length / BLOCK));
   for (let i = 0; i < blocks; i++) {
-    const part = bytes.subarray(BLOCK * i, BLOCK * (i + 1)), block = new Uint32Array(BLOCK / 4);
+    const part = bytes.subarray(BLOCK * i, BLOCK * (i + 1)),
+      block = new Uint32Array(BLOCK / 4);
     part.forEach((byte, k) => (block[k >> 2] |= byte << (8 * (k & 3))));
     compress(state, block, BLOCK * i + part.length, i === blocks - 1);
   }
@@ -73,4 +102,5 @@ const KEY_BYTES = 6; // a number holds so long a whole number exactly
 export const keyOf = (text) => numberOf(text) || 1;
 
 /** A text as a whole number. @param {string} text */
-export const numberOf = (text) => digest(new TextEncoder().encode(text), KEY_BYTES).reduce((number, byte) => 256 * number + byte, 0);
+export const numberOf = (text) =>
+  digest(new TextEncoder().encode(text), KEY_BYTES).reduce((number, byte) => 256 * number + byte, 0);

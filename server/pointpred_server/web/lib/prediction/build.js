@@ -1,11 +1,10 @@
 // Pipelines by name, as `pointpred.build` makes them in Python.
 
-import { Aim as Targets } from "../laws/targets/aim.js";
 import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../laws/registry.js";
+import { Aim as Targets } from "../laws/targets/aim.js";
 import { Aim } from "./aim.js";
 import { coefficientsOf } from "./coefficients.js";
 import { checkTogether } from "./combinations.js";
-import { ParameterError } from "./errors.js";
 import { unknown, valuesOf } from "./parameters.js";
 import { Pipeline } from "./pipeline.js";
 import { Stage } from "./stage.js";
@@ -25,7 +24,14 @@ import { Stage } from "./stage.js";
  */
 export async function build(name, options = {}) {
   const entry = entryOf(PREDICTORS, "predictor", name);
-  const { cpi = null, dpi = 96, person = "", targets = [], differentiator: chosen = entry.differentiator, ...given } = options;
+  const {
+    cpi = null,
+    dpi = 96,
+    person = "",
+    targets = [],
+    differentiator: chosen = entry.differentiator,
+    ...given
+  } = options;
   const source = entryOf(DIFFERENTIATORS, "differentiator", chosen);
   const loading = entry.coefficients && coefficientsOf(entry.coefficients);
   const [predictorKind, differentiatorKind, coefficients] = await Promise.all([entry.load(), source.load(), loading]);
@@ -38,13 +44,15 @@ export async function build(name, options = {}) {
   differentiator.settle();
   const predictor = Stage.of(predictorKind, ofPredictor, coefficients);
   const pipeline = new Pipeline(name, differentiator, predictor);
-  if (Targets.parameters.some((one) => given[one.name] !== undefined)) pipeline.aim = new Aim(valuesOf(Targets.parameters, given));
+  if (Targets.parameters.some((one) => given[one.name] !== undefined))
+    pipeline.aim = new Aim(valuesOf(Targets.parameters, given));
   pipeline.restore(person);
   if (targets.length) pipeline.register(targets);
   return pipeline;
 }
 
-const withoutUndefined = (options) => Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
+const withoutUndefined = (options) =>
+  Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
 const namedValues = (parameters, values) => Object.fromEntries(parameters.map(({ name }, i) => [name, values[i]]));
 
 /** What a table has under a name; throws a ParameterError for any other. */

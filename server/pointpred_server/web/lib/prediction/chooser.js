@@ -18,11 +18,19 @@ import { check } from "./parameters.js";
  * @typedef {{aim: import("./aim.js").Aim, places: import("./pipeline.js").Place[]}} Aimed what choosers ask of a pipeline
  */
 
-const PARAMETERS = [["precision", ""], ["least_lead_s", "s"], ["least_way_px", "px"]].map(
-  ([name, unit], place) => ({ name, unit, low: LOWEST[place], high: HIGHEST[place] }));
+const PARAMETERS = [
+  ["precision", ""],
+  ["least_lead_s", "s"],
+  ["least_way_px", "px"],
+].map(([name, unit], place) => ({ name, unit, low: LOWEST[place], high: HIGHEST[place] }));
 /** Bounds of the share of proposals that shall be right. */
 export const PRECISION = PARAMETERS[0];
-const CHANGES = [["retract", null], ["retract", null], ["propose", "predicted"], ["propose", "entered"]]; // as the law returns them
+const CHANGES = [
+  ["retract", null],
+  ["retract", null],
+  ["propose", "predicted"],
+  ["propose", "entered"],
+]; // as the law returns them
 const NOTHING = Object.freeze(/** @type {Choice[]} */ ([]));
 const PLACE = ["x", "y", "p", "id", "spread"]; // as the law takes a place
 
@@ -33,8 +41,12 @@ const PLACE = ["x", "y", "p", "id", "spread"]; // as the law takes a place
  */
 export class Chooser {
   /** What became of the proposals. */ ledger = new Ledger();
-  #settings = Float64Array.from(USUAL); #state = new Float64Array(law.STATES).fill(NOBODY); #changes = new Float64Array(CHANGES.length);
-  #ids = []; #targets = [[], new Float64Array(0), Float64Array.of(1)]; #keys = [];
+  #settings = Float64Array.from(USUAL);
+  #state = new Float64Array(law.STATES).fill(NOBODY);
+  #changes = new Float64Array(CHANGES.length);
+  #ids = [];
+  #targets = [[], new Float64Array(0), Float64Array.of(1)];
+  #keys = [];
 
   /** @param {Aimed} pipeline whose targets it decides among; may be replaced @param {Settings} [settings] throws a ParameterError */
   constructor(pipeline, settings = {}) {
@@ -67,7 +79,8 @@ export class Chooser {
 
   /** Decides after the pipeline's last event; returns what has changed, ends of proposals first. @returns {readonly Choice[]} */
   update() {
-    const gone = this.followTargets(), changed = this.decide();
+    const gone = this.followTargets(),
+      changed = this.decide();
     return gone.length ? [...gone, ...changed] : changed;
   }
 
@@ -98,16 +111,30 @@ export class Chooser {
       this.#targets = [table, this.#targets[1], shares];
       return NOTHING;
     }
-    const inside = new Float64Array(ids.length), proposed = [this.standing, this.entered], t = this.pipeline.aim.cursor[T];
-    const gone = law.replace(this.#state, t, [this.#keys, this.#targets[1]], [keys, inside], this.ledger.account, this.ledger.withRoom(0));
+    const inside = new Float64Array(ids.length),
+      proposed = [this.standing, this.entered],
+      t = this.pipeline.aim.cursor[T];
+    const gone = law.replace(
+      this.#state,
+      t,
+      [this.#keys, this.#targets[1]],
+      [keys, inside],
+      this.ledger.account,
+      this.ledger.withRoom(0),
+    );
     [this.#ids, this.#keys, this.#targets] = [ids, keys, [table, inside, shares]];
     return proposed.flatMap((id, k) => (gone[k] ? [{ id, p: 0, action: "retract", reason: null }] : []));
   }
 
   /** Decides by the shares, and notes what has changed. @returns {readonly Choice[]} */
   decide() {
-    const { aim: { memory } } = this.pipeline, { account } = this.ledger, rows = this.ledger.withRoom(this.#ids.length);
-    if (!law.update(this.#state, memory, this.#targets, this.#keys, this.#settings, account, rows, this.#changes)) return NOTHING;
+    const {
+        aim: { memory },
+      } = this.pipeline,
+      { account } = this.ledger,
+      rows = this.ledger.withRoom(this.#ids.length);
+    if (!law.update(this.#state, memory, this.#targets, this.#keys, this.#settings, account, rows, this.#changes))
+      return NOTHING;
     return Array.from(this.#changes).flatMap((place, k) => {
       const [action, reason] = CHANGES[k];
       return place === NOBODY ? [] : [{ id: this.#ids[place], p: this.#targets[2][place], action, reason }];
@@ -117,14 +144,23 @@ export class Chooser {
 
 /** Proposes the place that the cursor is heading for, of those where the person went before, by the rules for targets. */
 export class PlaceChooser extends Chooser {
-  #table = []; #keys = []; #ids = []; #squares = new Map();
+  #table = [];
+  #keys = [];
+  #ids = [];
+  #squares = new Map();
 
   /** Ends the proposals of places that are no longer known; `update` does so, too. */
   followTargets() {
-    const places = [...this.pipeline.places].sort((one, other) => one.id - other.id), { length } = places;
+    const places = [...this.pipeline.places].sort((one, other) => one.id - other.id),
+      { length } = places;
     const rows = (size) => Array.from({ length }, () => new Float64Array(size));
     const [table, keys, shares, before] = [rows(FIELDS), rows(2), new Float64Array(length + 1), this.#squares];
-    law.lay_places(places.map((one) => PLACE.map((name) => one[name])), table, keys, shares);
+    law.lay_places(
+      places.map((one) => PLACE.map((name) => one[name])),
+      table,
+      keys,
+      shares,
+    );
     if (String([table, keys]) !== String([this.#table, this.#keys])) {
       [this.#table, this.#keys, this.#ids] = [table, keys, places.map(({ id }) => id)];
       this.#squares = new Map(places.map(({ id }, i) => [id, { x: table[i][0], y: table[i][1], size: table[i][2] }]));
@@ -138,7 +174,8 @@ export class PlaceChooser extends Chooser {
 
   /** Closes the movement at the last event: it went to the smallest place that the cursor is in, or to none. @returns {import("./ledger.js").Movement} */
   finish() {
-    const { cursor } = this.pipeline.aim, place = holder(this.#table, cursor[X], cursor[Y]);
+    const { cursor } = this.pipeline.aim,
+      place = holder(this.#table, cursor[X], cursor[Y]);
     return this.close(place === NOBODY ? NOBODY : this.#keys[place][0]);
   }
 }

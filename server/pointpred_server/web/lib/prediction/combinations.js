@@ -15,13 +15,23 @@ export async function checkTogether(name, values, stage) {
   if (name === "homogeneous") checkHomogeneous(await import("../laws/differentiators/homogeneous.js"), values, stage);
 }
 
-function checkHomogeneous(laws, { order, alpha, gap_s: gap, step_s: step, gain_lambda: slowest, gain_xi: ratio }, stage) {
-  if (alpha * order < -1 - OFF_BOUND) refuse("alpha", alpha, `must lie in [-1/order, 0] = [${general(-1 / order)}, 0], received ${alpha}`);
+function checkHomogeneous(
+  laws,
+  { order, alpha, gap_s: gap, step_s: step, gain_lambda: slowest, gain_xi: ratio },
+  stage,
+) {
+  if (alpha * order < -1 - OFF_BOUND)
+    refuse("alpha", alpha, `must lie in [-1/order, 0] = [${general(-1 / order)}, 0], received ${alpha}`);
   const longest = laws.SUBSTEPS_MOST * step;
-  if (gap > longest) refuse("gap_s", gap, `must be at most ${laws.SUBSTEPS_MOST} sub-steps = ${general(longest)} s, received ${gap}`);
+  if (gap > longest)
+    refuse("gap_s", gap, `must be at most ${laws.SUBSTEPS_MOST} sub-steps = ${general(longest)} s, received ${gap}`);
   const stable = 2 / (slowest * Math.max(1, ratio ** (order - 1)));
   if (step >= stable)
-    refuse("step_s", step, `must be below ${general(stable)} s, where Euler's method with these gains becomes unstable, received ${step}`);
+    refuse(
+      "step_s",
+      step,
+      `must be below ${general(stable)} s, where Euler's method with these gains becomes unstable, received ${step}`,
+    );
   if (alpha < 0) checkRest(laws, alpha, step, stage);
 }
 
@@ -33,7 +43,8 @@ function checkRest({ chatter, STEPS_M, CHATTER_MOST_M_S: most }, alpha, step, st
   const steps = Math.min(Math.max(Math.round(2 / step), 2000), 20000);
   const speeds = STEPS_M.map((place) => chatter(stage.remembered, place, step, steps));
   if (speeds.every((speed) => speed <= most)) return;
-  const message = `with step_s = ${general(step)} s, alpha = ${general(alpha)} and these gains the velocity of a device at rest ` +
+  const message =
+    `with step_s = ${general(step)} s, alpha = ${general(alpha)} and these gains the velocity of a device at rest ` +
     `chatters by ${Math.max(...speeds).toPrecision(2)} m/s, at most ${general(most)} m/s: choose a smaller step_s, smaller gains ` +
     "(gain_lambda) or an alpha nearer to 0";
   throw new ParameterError(message, { field: "step_s", value: step });

@@ -13,13 +13,25 @@ import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../laws/registry.js";
  * @param {string} name @returns {Promise<{name: string, title: string, reference: string, differentiator: string, parameters: Described[]}>}
  */
 export async function describe(name) {
-  const { differentiator, preset = {}, load } = PREDICTORS[name], { title, reference, meanings } = OF_PREDICTORS[name];
+  const { differentiator, preset = {}, load } = PREDICTORS[name],
+    { title, reference, meanings } = OF_PREDICTORS[name];
   const [own, shared] = await Promise.all([load(), DIFFERENTIATORS[differentiator].load()]);
-  const described = (of, words) => ({ name: parameter, unit = "", low, high, default: initial }) =>
-    ({ name: parameter, unit, low, high, default: preset[parameter] ?? GAINS[parameter] ?? initial, meaning: words[parameter], of });
+  const described =
+    (of, words) =>
+    ({ name: parameter, unit = "", low, high, default: initial }) => ({
+      name: parameter,
+      unit,
+      low,
+      high,
+      default: preset[parameter] ?? GAINS[parameter] ?? initial,
+      meaning: words[parameter],
+      of,
+    });
   const names = own.parameters.map((one) => one.name); // one value serves both where they have the same name
   const others = shared.parameters.filter((one) => !names.includes(one.name));
-  const parameters = [...own.parameters.map(described("predictor", meanings)),
-    ...others.map(described("differentiator", OF_DIFFERENTIATORS[differentiator].meanings))];
+  const parameters = [
+    ...own.parameters.map(described("predictor", meanings)),
+    ...others.map(described("differentiator", OF_DIFFERENTIATORS[differentiator].meanings)),
+  ];
   return { name, title, reference, differentiator, parameters };
 }

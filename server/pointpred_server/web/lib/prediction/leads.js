@@ -7,7 +7,8 @@ const MOST = 1000;
 /** The median; the mean of the two middle values if their number is even; NaN of no values. @param {number[]} values @returns {number} */
 export function median(values) {
   if (values.length === 0) return NaN;
-  const sorted = [...values].sort((one, other) => one - other), middle = sorted.length >> 1;
+  const sorted = [...values].sort((one, other) => one - other),
+    middle = sorted.length >> 1;
   return sorted.length % 2 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
@@ -26,7 +27,8 @@ export class Leads {
 
   /** The least, the median and the largest, and how many; null where there is none. */
   get summary() {
-    const { length } = this.#values, of = (measure) => (length ? measure(...this.#values) : null);
+    const { length } = this.#values,
+      of = (measure) => (length ? measure(...this.#values) : null);
     return { count: length, least: of(Math.min), median: this.median, most: of(Math.max) };
   }
 }

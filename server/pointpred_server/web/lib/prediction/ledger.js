@@ -18,7 +18,9 @@ const TOTALS = ["movements", "proposed", "right", "hits", "wasted", "retracted",
 /** Counts proposals over movements; those of a movement without a known target count as wasted. */
 export class Ledger {
   account = new Float64Array(law.STATES);
-  #rows = []; #entryLeads = new Leads(); #clickLeads = new Leads();
+  #rows = [];
+  #entryLeads = new Leads();
+  #clickLeads = new Leads();
 
   constructor() {
     this.drop();
@@ -76,9 +78,17 @@ export class Ledger {
   /** The counts, with shares and the medians of the leads; null where there is nothing to count. */
   get summary() {
     const { hits: hit, ...counts } = Object.fromEntries(TOTALS.map((name, i) => [name, this.account[i]]));
-    const { movements, proposed, right } = counts, over = (part, all) => (all ? part / all : null);
-    return { ...counts, hit, precision: over(right, proposed), coverage: over(hit, movements), proposals_a_movement: over(proposed, movements),
-      median_lead_entry_s: this.#entryLeads.median, median_lead_click_s: this.#clickLeads.median };
+    const { movements, proposed, right } = counts,
+      over = (part, all) => (all ? part / all : null);
+    return {
+      ...counts,
+      hit,
+      precision: over(right, proposed),
+      coverage: over(hit, movements),
+      proposals_a_movement: over(proposed, movements),
+      median_lead_entry_s: this.#entryLeads.median,
+      median_lead_click_s: this.#clickLeads.median,
+    };
   }
 
   #lead(entry_s, click_s) {

@@ -4,7 +4,6 @@ import { EVENT_FIELDS } from "../laws/fields.js";
 import { CLIENT_MESSAGES } from "../laws/messages.js";
 import { general, quoted } from "./words.js";
 
-
 /** A message is refused: `answer` is the message that says so. */
 export class ProtocolError extends Error {
   /** @param {string} code @param {string} message @param {string|null} [path] @param {{field?: string, value?: unknown, recoverable?: boolean}} [more] */
@@ -12,7 +11,8 @@ export class ProtocolError extends Error {
     super(message);
     this.answer = { type: "error", code, message, path, recoverable };
     if (field) this.answer.field = field;
-    if (field && (value === null || ["string", "boolean"].includes(typeof value) || Number.isFinite(value))) this.answer.value = value;
+    if (field && (value === null || ["string", "boolean"].includes(typeof value) || Number.isFinite(value)))
+      this.answer.value = value;
   }
 }
 
@@ -27,7 +27,9 @@ const kindOf = (value) => (value === null ? "null" : Array.isArray(value) ? "arr
 
 /** Whether a value is of the kind that a schema asks for. @param {Schema} schema */
 const isOf = (schema, value) =>
-  schema.enum !== undefined || schema.type === undefined || (schema.type === "integer" ? Number.isInteger(value) : kindOf(value) === schema.type);
+  schema.enum !== undefined ||
+  schema.type === undefined ||
+  (schema.type === "integer" ? Number.isInteger(value) : kindOf(value) === schema.type);
 
 /** Throws a ProtocolError for a value that a schema does not allow. @param {Schema} schema @param {unknown} value @param {string} path */
 function check(schema, value, path) {
@@ -37,11 +39,16 @@ function check(schema, value, path) {
     return check(fitting, value, path);
   }
   if (!isOf(schema, value)) refuse(schema.type, value, path);
-  if (schema.enum !== undefined && !schema.enum.includes(value)) refuse(`one of ${schema.enum.join(", ")}`, value, path);
+  if (schema.enum !== undefined && !schema.enum.includes(value))
+    refuse(`one of ${schema.enum.join(", ")}`, value, path);
   if (typeof value === "number") checkNumber(schema, value, path);
-  if (typeof value === "string" && (value.length < (schema.minLength ?? 0) || value.length > (schema.maxLength ?? Infinity)))
+  if (
+    typeof value === "string" &&
+    (value.length < (schema.minLength ?? 0) || value.length > (schema.maxLength ?? Infinity))
+  )
     refuse(`a text of ${schema.minLength ?? 0} to ${schema.maxLength} characters`, value, path);
-  if (typeof value === "string" && schema.pattern !== undefined && !new RegExp(schema.pattern, "u").test(value)) refuse(`a text like ${schema.pattern}`, value, path);
+  if (typeof value === "string" && schema.pattern !== undefined && !new RegExp(schema.pattern, "u").test(value))
+    refuse(`a text like ${schema.pattern}`, value, path);
   if (Array.isArray(value)) value.forEach((one, i) => check(schema.items, one, `${path}[${i}]`));
   else if (kindOf(value) === "object") checkFields(schema, value, path);
 }
@@ -50,24 +57,36 @@ function checkNumber(schema, value, path) {
   const { minimum = -Infinity, maximum = Infinity, exclusiveMinimum = -Infinity } = schema;
   if (!Number.isFinite(value)) refuse("a finite number", value, path);
   if (!(value > exclusiveMinimum)) refuse(`a number above ${general(exclusiveMinimum)}`, value, path);
-  if (!(value >= minimum && value <= maximum)) refuse(`a number in [${general(minimum)}, ${general(maximum)}]`, value, path);
+  if (!(value >= minimum && value <= maximum))
+    refuse(`a number in [${general(minimum)}, ${general(maximum)}]`, value, path);
 }
 
 /** An object with the fields of a schema and no others; fields that are undefined count as missing. */
-function checkFields({ properties = {}, required = [], additionalProperties = true, propertyNames, maxProperties = Infinity }, value, path) {
-  if (Object.keys(value).length > maxProperties) refuse(`at most ${maxProperties} entries`, Object.keys(value).length, path);
+function checkFields(
+  { properties = {}, required = [], additionalProperties = true, propertyNames, maxProperties = Infinity },
+  value,
+  path,
+) {
+  if (Object.keys(value).length > maxProperties)
+    refuse(`at most ${maxProperties} entries`, Object.keys(value).length, path);
   if (propertyNames !== undefined) for (const name of Object.keys(value)) check(propertyNames, name, path);
   for (const name of Object.keys(value))
     if (additionalProperties === false && !Object.hasOwn(properties, name))
       throw new ProtocolError("bad_field", `unknown field ${quoted(name)}`, `${path}.${name}`);
   for (const name of required)
-    if (value[name] === undefined) throw new ProtocolError("bad_field", `the field ${quoted(name)} is missing`, `${path}.${name}`);
-  for (const [name, one] of Object.entries(value)) if (one !== undefined) check(properties[name] ?? additionalProperties, one, `${path}.${name}`);
+    if (value[name] === undefined)
+      throw new ProtocolError("bad_field", `the field ${quoted(name)} is missing`, `${path}.${name}`);
+  for (const [name, one] of Object.entries(value))
+    if (one !== undefined) check(properties[name] ?? additionalProperties, one, `${path}.${name}`);
 }
 
 /** The fields that are given, and the defaults of the others. @param {Schema} schema @param {object} given */
 const filled = ({ properties }, given) => ({
-  ...Object.fromEntries(Object.entries(properties).filter(([, one]) => "default" in one).map(([name, one]) => [name, one.default])),
+  ...Object.fromEntries(
+    Object.entries(properties)
+      .filter(([, one]) => "default" in one)
+      .map(([name, one]) => [name, one.default]),
+  ),
   ...given,
 });
 /** The schema of an object that may be null. */
@@ -79,8 +98,12 @@ export function checked(message) {
   const kind = message?.type;
   if (typeof kind !== "string" || !Object.hasOwn(CLIENT_MESSAGES, kind)) {
     const known = Object.keys(CLIENT_MESSAGES).join(", ");
-    throw new ProtocolError(["string", "undefined"].includes(typeof kind) ? "unknown_type" : "bad_field", `unknown message ${quoted(kind)}; known: ${known}`, "$.type",
-      { field: "type", value: kind });
+    throw new ProtocolError(
+      ["string", "undefined"].includes(typeof kind) ? "unknown_type" : "bad_field",
+      `unknown message ${quoted(kind)}; known: ${known}`,
+      "$.type",
+      { field: "type", value: kind },
+    );
   }
   check(CLIENT_MESSAGES[kind], message, "$");
   if (kind !== "hello" && kind !== "configure") return message;
@@ -92,16 +115,19 @@ export function checked(message) {
 /** Throws a ProtocolError for the first number of an event that is out of range, or a count without the other. @param {number[][]} rows */
 export function checkRows(rows) {
   const counts = EVENT_FIELDS.flatMap(({ optional }, k) => (optional ? [k] : []));
-  rows.forEach((row, i) => EVENT_FIELDS.forEach(({ name, low, high, whole, optional }, k) => {
-    const refuse = (message, value) => {
-      throw new ProtocolError("bad_field", message, `$.events[${i}][${k}]`, { field: name, value });
-    };
-    const value = row[k];
-    if (optional && Number.isNaN(value)) {
-      if (counts.every((one) => Number.isNaN(row[one]))) return;
-      refuse("dx and dy are both numbers or both null", null);
-    }
-    if (!(value >= low && value <= high)) refuse(`${name} must lie in [${general(low)}, ${general(high)}], received ${value}`, value);
-    if (whole && !Number.isInteger(value)) refuse(`${name} must be a whole number, received ${value}`, value);
-  }));
+  rows.forEach((row, i) =>
+    EVENT_FIELDS.forEach(({ name, low, high, whole, optional }, k) => {
+      const refuse = (message, value) => {
+        throw new ProtocolError("bad_field", message, `$.events[${i}][${k}]`, { field: name, value });
+      };
+      const value = row[k];
+      if (optional && Number.isNaN(value)) {
+        if (counts.every((one) => Number.isNaN(row[one]))) return;
+        refuse("dx and dy are both numbers or both null", null);
+      }
+      if (!(value >= low && value <= high))
+        refuse(`${name} must lie in [${general(low)}, ${general(high)}], received ${value}`, value);
+      if (whole && !Number.isInteger(value)) refuse(`${name} must be a whole number, received ${value}`, value);
+    }),
+  );
 }

@@ -12,11 +12,12 @@ import { general, nearest, quoted } from "./words.js";
  * The values of parameters in their order, null replaced by what stands for it; throws a ParameterError.
  * @param {Parameter[]} parameters @param {Object<string, unknown>} given by name @returns {Float64Array}
  */
-export const valuesOf = (parameters, given) => Float64Array.from(parameters, (one) => {
-  const value = given[one.name] === undefined ? one.default : given[one.name];
-  check(one, value);
-  return value ?? one.absent;
-});
+export const valuesOf = (parameters, given) =>
+  Float64Array.from(parameters, (one) => {
+    const value = given[one.name] === undefined ? one.default : given[one.name];
+    check(one, value);
+    return value ?? one.absent;
+  });
 
 /** Throws a ParameterError for a value that is not a number within the bounds. @param {Parameter} parameter @param {unknown} value */
 export function check({ name, unit, low, high, whole, absent = null }, value) {

@@ -21,7 +21,8 @@ const refusal = (message) => new ParameterError(message, { field: "person" });
 /** Learned numbers as a string; "" if nothing was learned. @param {Learner} learner @param {Float64Array} known @returns {string} */
 export function packed({ layout }, known) {
   if (!known.some((value) => value !== 0)) return "";
-  const bytes = new Uint8Array(8 * known.length + 2 * DIGEST), view = new DataView(bytes.buffer);
+  const bytes = new Uint8Array(8 * known.length + 2 * DIGEST),
+    view = new DataView(bytes.buffer);
   bytes.set(layout.match(/../g).map((pair) => Number.parseInt(pair, 16)));
   known.forEach((value, i) => view.setFloat64(DIGEST + 8 * i, value, true));
   bytes.set(digest(bytes.subarray(0, -DIGEST)), bytes.length - DIGEST);
@@ -44,11 +45,13 @@ export function unpacked(learner, person) {
 function numbers(learner, person) {
   if (person.length > LARGEST) throw refusal(`person may have ${LARGEST} characters, received ${person.length}`);
   if (!person.startsWith(VERSION)) throw refusal(`person must begin with '${VERSION}', as pipelines write it`);
-  const bytes = decoded(person.slice(VERSION.length)), count = learner.slots.reduce((sum, slot) => sum + slot.count, 0);
+  const bytes = decoded(person.slice(VERSION.length)),
+    count = learner.slots.reduce((sum, slot) => sum + slot.count, 0);
   const layout = Array.from(bytes.subarray(0, DIGEST), (byte) => byte.toString(16).padStart(2, "0")).join("");
   if (bytes.length >= 2 * DIGEST && layout !== learner.layout)
     throw refusal("person was saved by another predictor or by another version of this one");
-  const whole = bytes.length === 8 * count + 2 * DIGEST, view = new DataView(bytes.buffer);
+  const whole = bytes.length === 8 * count + 2 * DIGEST,
+    view = new DataView(bytes.buffer);
   const known = Float64Array.from({ length: whole ? count : 0 }, (_, i) => view.getFloat64(DIGEST + 8 * i, true));
   if (packed(learner, known) !== person || person === "")
     throw refusal("person is damaged: it must be the whole string, as a pipeline wrote it"); // the digest is compared with all else
@@ -59,7 +62,9 @@ function numbers(learner, person) {
 function decoded(written) {
   try {
     if (/[^\w=-]/.test(written)) throw new RangeError(written);
-    return Uint8Array.from(atob(written.replace(/=/g, "").replace(/-/g, "+").replace(/_/g, "/")), (letter) => letter.charCodeAt(0));
+    return Uint8Array.from(atob(written.replace(/=/g, "").replace(/-/g, "+").replace(/_/g, "/")), (letter) =>
+      letter.charCodeAt(0),
+    );
   } catch {
     throw refusal("person must be base64url after its version, as pipelines write it");
   }
@@ -69,7 +74,8 @@ function decoded(written) {
 function outside(slots, known) {
   let at = 0;
   for (const { name, count, low, high, whole } of slots) {
-    const values = known.subarray(at, at + count), wrong = values.find((value) => !(value >= low && value <= high));
+    const values = known.subarray(at, at + count),
+      wrong = values.find((value) => !(value >= low && value <= high));
     if (wrong !== undefined) return `${name} must lie in [${general(low)}, ${general(high)}], is ${general(wrong)}`;
     if (whole && !values.every(Number.isInteger)) return `${name} must be whole, is ${general(values[0])}`;
     at += count;

@@ -4,7 +4,7 @@ import { EVENT_FIELDS, MOTION_FIELDS } from "../laws/fields.js";
 import { EVENT_FIELD, MOTION_FIELD, ORDER } from "../laws/records.js";
 import { Aim } from "./aim.js";
 import { EventError } from "./errors.js";
-import { PHASES, claimed, isRefused } from "./row.js";
+import { claimed, isRefused, PHASES } from "./row.js";
 import { SCREEN, sceneOf } from "./scene.js";
 import { general, quoted } from "./words.js";
 
@@ -33,7 +33,8 @@ export class Prediction {
     /** @type {"still"|"ballistic"|"corrective"} */ this.phase = PHASES[phase];
     /** s until arrival. @type {number|null} */ this.remaining_s = claimed(remaining);
     /** Degrees of freedom of a Student law; null: the law is normal. @type {number|null} */ this.tail = claimed(tail);
-    /** Standard deviation of the logarithm of the time left. @type {number|null} */ this.remaining_spread = claimed(spread);
+    /** Standard deviation of the logarithm of the time left. @type {number|null} */ this.remaining_spread =
+      claimed(spread);
   }
 
   /** [sxx, sxy, syy] px^2 of the endpoint; null where no region is claimed, or its law has none (a tail up to 2). @returns {number[]|null} */
@@ -57,7 +58,10 @@ const predictionOf = (row) => (row[1] === row[1] ? new Prediction(row) : null);
 
 /** Consumes events one by one. Where an event is refused, nothing has changed. */
 export class Pipeline {
-  #differentiator; #predictor; /** @type {Aim|null} */ #aim = null;
+  #differentiator;
+  #predictor;
+  /** @type {Aim|null} */
+  #aim = null;
 
   /**
    * Use `build`.
@@ -77,7 +81,8 @@ export class Pipeline {
     const wrong = wrongKind(event);
     if (wrong !== null) throw wrong;
     const { t, x, y, dx, dy, buttons = 0 } = event;
-    const row = [t, x, y, dx ?? NaN, dy ?? NaN, buttons], answer = this.advance(row);
+    const row = [t, x, y, dx ?? NaN, dy ?? NaN, buttons],
+      answer = this.advance(row);
     if (isRefused(answer)) throw refusal(row, answer);
     return predictionOf(answer);
   }
@@ -104,11 +109,13 @@ export class Pipeline {
    * @param {Row[]} rows @returns {Row[]|null}
    */
   advanceAll(rows) {
-    if (rows.length === 1) { // most frames
+    if (rows.length === 1) {
+      // most frames
       const answer = this.advance(rows[0]);
       return isRefused(answer) ? null : [answer];
     }
-    const before = this.remembered, answers = [];
+    const before = this.remembered,
+      answers = [];
     try {
       for (const row of rows) {
         const answer = this.advance(row);
@@ -195,7 +202,15 @@ export class Pipeline {
    * @returns {Place[]}
    */
   get places() {
-    const places = this.#predictor.places.map(([x, y, p, before, visits, id, spread]) => ({ x, y, p, before, visits, id, spread }));
+    const places = this.#predictor.places.map(([x, y, p, before, visits, id, spread]) => ({
+      x,
+      y,
+      p,
+      before,
+      visits,
+      id,
+      spread,
+    }));
     return places.sort((one, other) => other.p - one.p);
   }
 
@@ -245,23 +260,30 @@ function refusal(row, [, code, compared]) {
     const message = `t must not run backwards: received ${t} s after ${compared} s`;
     return new EventError(message, { code: "time_backwards", field: "t", value: t });
   }
-  const ofMotion = code >= MOTION_FIELD, value = ofMotion ? compared : row[code - EVENT_FIELD];
-  const { name, low, high, optional } = ofMotion ? MOTION_FIELDS[code - MOTION_FIELD] : EVENT_FIELDS[code - EVENT_FIELD];
+  const ofMotion = code >= MOTION_FIELD,
+    value = ofMotion ? compared : row[code - EVENT_FIELD];
+  const { name, low, high, optional } = ofMotion
+    ? MOTION_FIELDS[code - MOTION_FIELD]
+    : EVENT_FIELDS[code - EVENT_FIELD];
   if (optional && value !== value)
-    return new EventError(`dx and dy come together or not at all, received ${claimed(dx)} and ${claimed(dy)}`, { field: "dx", value: claimed(dx) });
+    return new EventError(`dx and dy come together or not at all, received ${claimed(dx)} and ${claimed(dy)}`, {
+      field: "dx",
+      value: claimed(dx),
+    });
   const expected = value >= low && value <= high ? "be a whole number" : `lie in [${general(low)}, ${general(high)}]`;
   return new EventError(`${name} must ${expected}, received ${value}`, { field: name, value });
 }
 
 /** The error for an event with a field that is no number, null for none. A count may be missing. */
 function wrongKind(event) {
-  if (event === null || typeof event !== "object") return new EventError(`an event must be an object, received ${quoted(event)}`);
+  if (event === null || typeof event !== "object")
+    return new EventError(`an event must be an object, received ${quoted(event)}`);
   for (const name of ["t", "x", "y", "dx", "dy", "buttons"]) {
-    const value = event[name] ?? null, missing = value === null && !["t", "x", "y"].includes(name);
+    const value = event[name] ?? null,
+      missing = value === null && !["t", "x", "y"].includes(name);
     if (!missing && typeof value !== "number")
       return new EventError(`${name} must be a number, received ${quoted(value)}`, { field: name, value });
-    if (value !== value)
-      return new EventError(`${name} must be finite, received NaN`, { field: name, value });
+    if (value !== value) return new EventError(`${name} must be finite, received NaN`, { field: name, value });
   }
   return null;
 }

@@ -19,11 +19,22 @@ export const claimed = (value) => (value === value ? value : null);
  * @param {{id: string, p: number}[]} [targets] the likeliest
  */
 export function messageOf(row, target, targets) {
-  const [t, x, y, , , , remaining, phase, , spread] = row, predicted = x === x;
-  return { type: "prediction", t, x: predicted ? x : null, y: predicted ? y : null, region: predicted ? regionIn(row) : null,
-    phase: predicted ? PHASES[phase] : null, remaining_s: predicted ? claimed(remaining) : null,
-    remaining_spread: predicted ? claimed(spread) : null, ...(target !== undefined && { target }), ...(targets && { targets }) };
+  const [t, x, y, , , , remaining, phase, , spread] = row,
+    predicted = x === x;
+  return {
+    type: "prediction",
+    t,
+    x: predicted ? x : null,
+    y: predicted ? y : null,
+    region: predicted ? regionIn(row) : null,
+    phase: predicted ? PHASES[phase] : null,
+    remaining_s: predicted ? claimed(remaining) : null,
+    remaining_spread: predicted ? claimed(spread) : null,
+    ...(target !== undefined && { target }),
+    ...(targets && { targets }),
+  };
 }
 
 /** The law of the endpoint as `regionOf` takes it, px^2; null where none is claimed. @returns {{sxx: number, sxy: number, syy: number, tail: number|null}|null} */
-export const regionIn = ([, , , sxx, sxy, syy, , , tail]) => (sxx === sxx ? { sxx, sxy, syy, tail: claimed(tail) } : null);
+export const regionIn = ([, , , sxx, sxy, syy, , , tail]) =>
+  sxx === sxx ? { sxx, sxy, syy, tail: claimed(tail) } : null;

@@ -14,10 +14,17 @@ export const SCREEN = Object.freeze([0, 0, 0]);
  * @param {string} key @param {number} x @param {number} y @returns {[number, number, number]}
  */
 export function sceneOf(key, x, y) {
-  if (typeof key !== "string") throw new ParameterError(`key must be a string, received ${quoted(key)}`, { field: "key", value: key });
+  if (typeof key !== "string")
+    throw new ParameterError(`key must be a string, received ${quoted(key)}`, { field: "key", value: key });
   if (/\p{Surrogate}/u.test(key))
-    throw new ParameterError(`key must hold whole Unicode characters, received ${quoted(key)}`, { field: "key", value: key });
-  for (const [field, value] of [["x", x], ["y", y]])
+    throw new ParameterError(`key must hold whole Unicode characters, received ${quoted(key)}`, {
+      field: "key",
+      value: key,
+    });
+  for (const [field, value] of [
+    ["x", x],
+    ["y", y],
+  ])
     if (typeof value !== "number" || !(Math.abs(value) <= LARGEST)) {
       const message = `${field} of the origin must be a number in [${general(-LARGEST)}, ${general(LARGEST)}] px, received ${quoted(value)}`;
       throw new ParameterError(message, { field, value });

@@ -1,22 +1,44 @@
 // The score of a trial, as `pointpred score` gives it.
 
-import { BY_PATH, BY_TIME, FRACTIONS, MEASURES, measure_trial as measure, SINGLE_AXIS, SOUND, TIME_AVERAGED } from "../laws/scoring/measures/endpoint.js";
+import {
+  BY_PATH,
+  BY_TIME,
+  FRACTIONS,
+  MEASURES,
+  measure_trial as measure,
+  SINGLE_AXIS,
+  SOUND,
+  TIME_AVERAGED,
+} from "../laws/scoring/measures/endpoint.js";
 import * as cutting from "../laws/scoring/trials.js";
-import { UNPREDICTED, isRefused } from "./row.js";
+import { isRefused, UNPREDICTED } from "./row.js";
 import { MOST_EVENTS } from "./trial.js";
 import { general } from "./words.js";
 
 const PIECE_MS = 8; // the page is free again after so long
 const NAMES = ["t", "x", "y", "dx", "dy", "buttons"];
-const NO_SCORE = { time_averaged_px: null, hold_px: null, skill: null, by_time: {}, by_path: {}, reason: null,
-  fired: null, hit: null, wasted: null, lead_s: null };
+const NO_SCORE = {
+  time_averaged_px: null,
+  hold_px: null,
+  skill: null,
+  by_time: {},
+  by_path: {},
+  reason: null,
+  fired: null,
+  hit: null,
+  wasted: null,
+  lead_s: null,
+};
 const REASONS = new Map([
   [cutting.EMPTY, "has no events"],
   [cutting.ONE_SAMPLE, "has one sample, a movement needs two"],
   [cutting.UNUSABLE, "a value is not finite or out of range"],
   [cutting.BACKWARD, "time runs backwards"],
   [cutting.NEVER_LEFT, `ends within ${general(cutting.ONSET_PX)} px of its start`],
-  [cutting.ARRIVED, `never leaves the ${general(cutting.ARRIVAL_PX)} px (or ${Math.round(100 * cutting.ARRIVAL_SHARE)}%) around its endpoint after the onset`],
+  [
+    cutting.ARRIVED,
+    `never leaves the ${general(cutting.ARRIVAL_PX)} px (or ${Math.round(100 * cutting.ARRIVAL_SHARE)}%) around its endpoint after the onset`,
+  ],
   [cutting.INSTANT, "takes no time from onset to arrival"],
 ]);
 
@@ -32,13 +54,21 @@ export async function scoreOf({ rows, count }, pipeline) {
   cutting.cut(rows, [0, rows.length], [cut]);
   const reason = REASONS.get(cut[cutting.VERDICT]);
   if (reason !== undefined) return unscored(count, withEvent(reason, cut, rows));
-  const onset = cut[cutting.ONSET], part = rows.slice(onset, cut[cutting.STOP]), arrival = cut[cutting.ARRIVAL] - onset;
+  const onset = cut[cutting.ONSET],
+    part = rows.slice(onset, cut[cutting.STOP]),
+    arrival = cut[cutting.ARRIVAL] - onset;
   const none = part.map(() => UNPREDICTED); // where nothing is predicted, the cursor's position is scored
   const hold = measured(part, none, arrival);
   const own = measured(part, (await answersTo(part, pipeline)) ?? none, arrival) ?? hold;
   const [error, floor] = [own[TIME_AVERAGED], hold[TIME_AVERAGED]];
-  return { ...unscored(part.length, null), time_averaged_px: error, hold_px: floor, skill: floor > 0 ? 1 - error / floor : null,
-    by_time: named(own, BY_TIME, BY_PATH), by_path: named(own, BY_PATH, SINGLE_AXIS) };
+  return {
+    ...unscored(part.length, null),
+    time_averaged_px: error,
+    hold_px: floor,
+    skill: floor > 0 ? 1 - error / floor : null,
+    by_time: named(own, BY_TIME, BY_PATH),
+    by_path: named(own, BY_PATH, SINGLE_AXIS),
+  };
 }
 
 /** A reason that names the event it is about, where it is about one. */
@@ -71,4 +101,5 @@ async function answersTo(rows, pipeline) {
 }
 
 /** Errors by the share at which they were read. */
-const named = (out, first, end) => Object.fromEntries(Array.from(out.subarray(first, end), (error, i) => [FRACTIONS[first - BY_TIME + i], error]));
+const named = (out, first, end) =>
+  Object.fromEntries(Array.from(out.subarray(first, end), (error, i) => [FRACTIONS[first - BY_TIME + i], error]));

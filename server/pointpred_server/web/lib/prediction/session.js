@@ -7,13 +7,20 @@ import { checked, ProtocolError } from "./messages.js";
 import { PredictionStream } from "./stream.js";
 
 /** The limits of a session. The page serves one session, so most of them are off. @type {import("../pointpred.js").Limits} */
-const LIMITS = Object.freeze({ max_frame_bytes: Infinity, max_events_per_frame: Infinity, max_events_per_s: Infinity,
-  max_targets: MOST_TARGETS, max_sessions: 1, idle_s: Infinity });
+const LIMITS = Object.freeze({
+  max_frame_bytes: Infinity,
+  max_events_per_frame: Infinity,
+  max_events_per_s: Infinity,
+  max_targets: MOST_TARGETS,
+  max_sessions: 1,
+  idle_s: Infinity,
+});
 
 /** One session. A message that is to be waited for is answered by a promise; no other may be sent before it is resolved. */
 export class PageSession {
   /** Why the session has ended; null while it goes on. @type {string|null} */ ended = null;
-  #send; #stream = null;
+  #send;
+  #stream = null;
 
   /** @param {(message: object) => void} send is called with each answer, an object as the service sends it as JSON */
   constructor(send) {
@@ -30,7 +37,8 @@ export class PageSession {
     if (this.ended !== null) return;
     try {
       if (this.#stream === null) throw outOfPlace("expected 'hello' first, received 'events'");
-      if (rows.length) this.#stream.feed(rows.map(([t, x, y, dx, dy, buttons]) => [t, x, y, dx ?? NaN, dy ?? NaN, buttons]));
+      if (rows.length)
+        this.#stream.feed(rows.map(([t, x, y, dx, dy, buttons]) => [t, x, y, dx ?? NaN, dy ?? NaN, buttons]));
     } catch (error) {
       this.#refuse(error);
     }
@@ -44,7 +52,8 @@ export class PageSession {
 
   async #answer(message) {
     try {
-      const asked = checked(message), { type } = asked;
+      const asked = checked(message),
+        { type } = asked;
       if (type === "bye") return this.#end(asked.reason || "bye");
       if (type === "hello" && this.#stream !== null) throw outOfPlace("expected 'hello' once");
       if (type !== "hello" && this.#stream === null) throw outOfPlace(`expected 'hello' first, received '${type}'`);
@@ -73,7 +82,8 @@ export class PageSession {
       this.#stream.replaceTargets(targets);
       return { type: "targets", count: targets.length };
     },
-    trial: ({ action, target = null, conditions = {} }) => this.#stream[action === "start" ? "startTrial" : "endTrial"](target, conditions),
+    trial: ({ action, target = null, conditions = {} }) =>
+      this.#stream[action === "start" ? "startTrial" : "endTrial"](target, conditions),
     enter: ({ key, x = 0, y = 0 }) => this.#stream.enter([key, x, y]),
     forget: () => ({ type: "person", person: this.#stream.forgetPerson() }),
     reset: () => this.#stream.reset(),
@@ -81,16 +91,27 @@ export class PageSession {
   };
 
   #checkTargets(targets) {
-    if (targets.length > MOST_TARGETS) throw new ProtocolError("too_many", `at most ${MOST_TARGETS} targets, received ${targets.length}`, "$.targets");
+    if (targets.length > MOST_TARGETS)
+      throw new ProtocolError("too_many", `at most ${MOST_TARGETS} targets, received ${targets.length}`, "$.targets");
     const ids = new Set();
     targets.forEach(({ id }, place) => {
-      if (ids.has(id)) throw new ProtocolError("bad_field", `id '${id}' occurs twice`, `$.targets[${place}].id`, { field: "id", value: id });
+      if (ids.has(id))
+        throw new ProtocolError("bad_field", `id '${id}' occurs twice`, `$.targets[${place}].id`, {
+          field: "id",
+          value: id,
+        });
       ids.add(id);
     });
   }
 
   #welcome() {
-    return { type: "welcome", version: this.#stream.hello.version, session: "page", predictor: this.#stream.hello.predictor, limits: LIMITS };
+    return {
+      type: "welcome",
+      version: this.#stream.hello.version,
+      session: "page",
+      predictor: this.#stream.hello.predictor,
+      limits: LIMITS,
+    };
   }
 
   /** Sends why something was not used. An internal error, or a file that cannot be fetched, ends the session. */
@@ -99,7 +120,9 @@ export class PageSession {
     if (error instanceof EventError)
       return this.#send(new ProtocolError("bad_field", error.message, "$.events", error).answer);
     console.error(error);
-    this.#send(new ProtocolError("internal", `the prediction failed: ${error.message}`, null, { recoverable: false }).answer);
+    this.#send(
+      new ProtocolError("internal", `the prediction failed: ${error.message}`, null, { recoverable: false }).answer,
+    );
     this.#end(error.message);
   }
 

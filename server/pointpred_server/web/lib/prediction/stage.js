@@ -18,12 +18,20 @@ import { packed, unpacked } from "./person.js";
  */
 
 /** Places that are remembered, and the numbers of each. */
-const CAPACITY = 64, FIELDS = 7;
+const CAPACITY = 64,
+  FIELDS = 7;
 const MOST_PARTS = 5; // of a mixture
 
 /** The memory of one law, and the law. */
 export class Stage {
-  #kind; #sizes; #coefficients; #memory; #first; #person; #kept; #step;
+  #kind;
+  #sizes;
+  #coefficients;
+  #memory;
+  #first;
+  #person;
+  #kept;
+  #step;
 
   /** Use `of`. @param {Kind} kind @param {number[]} sizes of the settings, what is learned, the states @param {Float64Array} [coefficients] */
   constructor(kind, sizes, coefficients) {
@@ -93,7 +101,8 @@ export class Stage {
 
   /** The law of the endpoint as places and elsewhere have it; null where none is claimed, and where no places are learned. @returns {Mixture|null} */
   get mixture() {
-    const rows = partRows(MOST_PARTS), [count, ...offsets] = this.#kind.list_parts?.(this.#memory.slice(), rows) ?? [0];
+    const rows = partRows(MOST_PARTS),
+      [count, ...offsets] = this.#kind.list_parts?.(this.#memory.slice(), rows) ?? [0];
     return count === 0 ? null : new Mixture(rows.slice(0, count), offsets);
   }
 
@@ -122,7 +131,9 @@ export class Stage {
   /** Loads a person into a stage without memory; "" leaves it as it is. Throws a ParameterError; the stage is then unchanged. @param {string} person */
   restore(person) {
     if (typeof person !== "string")
-      throw new ParameterError(`person must be a string made by a pipeline, received ${typeof person}`, { field: "person" });
+      throw new ParameterError(`person must be a string made by a pipeline, received ${typeof person}`, {
+        field: "person",
+      });
     if (person === "") return;
     if (!this.portable) {
       const message = `person must be '' for a predictor that saves nothing of a person, received ${person.length} characters`;

@@ -13,7 +13,14 @@ const ELSEWHERE = { cpi: "device.cpi", dpi: "screen.dpi", name: "predictor", per
 /** A pipeline as a client asked for it, the targets it decides among, and the trial that is marked. */
 export class PredictionStream {
   /** The settings in force. */ hello;
-  #send; #pipeline; #tracker = null; #precision = null; #lastTime = -Infinity; #trial = new TrialBuffer(); #placeTracker = null; #window = null;
+  #send;
+  #pipeline;
+  #tracker = null;
+  #precision = null;
+  #lastTime = -Infinity;
+  #trial = new TrialBuffer();
+  #placeTracker = null;
+  #window = null;
 
   /**
    * Use `open`.
@@ -61,14 +68,19 @@ export class PredictionStream {
   }
 
   /** What the newest prediction changes: nothing, unless the cursor is assisted. @param {number[]} answer */
-  guide(answer) {}
+  guide(_answer) {}
 
   /** Predicts from events in order, one by one, and decides after each. */
   #follow(rows) {
-    if (this.#tracker === null && this.hello.places) this.#placeTracker ??= new PlaceTracker(this.#send, this.#pipeline, this.#precision);
-    const moved = [], answers = [], likely = [], { aim } = this.#tracker?.chooser.pipeline ?? {};
+    if (this.#tracker === null && this.hello.places)
+      this.#placeTracker ??= new PlaceTracker(this.#send, this.#pipeline, this.#precision);
+    const moved = [],
+      answers = [],
+      likely = [],
+      { aim } = this.#tracker?.chooser.pipeline ?? {};
     for (const row of rows) {
-      const event = this.move(row), answer = event && this.#pipeline.advance(event);
+      const event = this.move(row),
+        answer = event && this.#pipeline.advance(event);
       if (!answer || isRefused(answer)) throw new ProtocolError("bad_field", "the events cannot be used", "$.events");
       moved.push(event);
       answers.push(answer);
@@ -81,16 +93,19 @@ export class PredictionStream {
 
   /** Records the events that were used, and sends the predictions; `likely`: what the targets make of each. */
   #reply(rows, answers, likely = []) {
-    const since = this.hello.reply === "event" ? 0 : -1, isListed = this.hello.encoding === "json";
+    const since = this.hello.reply === "event" ? 0 : -1,
+      isListed = this.hello.encoding === "json";
     this.#lastTime = rows.at(-1)[0];
     for (const row of rows) this.#trial.add(row);
     this.beforePredictions(this.#lastTime);
     const aims = likely.slice(since);
-    answers.slice(since).forEach((answer, i) => this.#send(messageOf(answer, aims[i]?.target, isListed ? aims[i]?.targets : undefined)));
+    answers
+      .slice(since)
+      .forEach((answer, i) => this.#send(messageOf(answer, aims[i]?.target, isListed ? aims[i]?.targets : undefined)));
   }
 
   /** Sends what goes before the predictions: nothing, unless the cursor is assisted. @param {number} t of the newest event, s */
-  beforePredictions(t) {}
+  beforePredictions(_t) {}
 
   send(message) {
     this.#send(message);
@@ -104,10 +119,16 @@ export class PredictionStream {
   /** Another predictor or other parameters begin without memory; rejects with a ProtocolError, nothing changed. @param {object} message checked */
   async configure(message) {
     this.checkAssist(message);
-    const another = message.predictor != null, { hello } = this;
-    const changed = { ...hello, predictor: message.predictor ?? hello.predictor, reply: message.reply ?? hello.reply,
-      parameters: { ...(another ? {} : hello.parameters), ...message.parameters }, assist: message.assist ?? hello.assist,
-      places: message.places ?? hello.places };
+    const another = message.predictor != null,
+      { hello } = this;
+    const changed = {
+      ...hello,
+      predictor: message.predictor ?? hello.predictor,
+      reply: message.reply ?? hello.reply,
+      parameters: { ...(another ? {} : hello.parameters), ...message.parameters },
+      assist: message.assist ?? hello.assist,
+      places: message.places ?? hello.places,
+    };
     if (another || Object.keys(message.parameters ?? {}).length) {
       const pipeline = this.#inWindow(await pipelineOf(changed));
       if (pipeline.name === this.#pipeline.name && pipeline.portable) pipeline.restore(this.#pipeline.person);
@@ -120,12 +141,18 @@ export class PredictionStream {
       this.#placeTracker = null;
     }
     this.#precision = message.precision ?? this.#precision;
-    if (message.precision != null) for (const one of [this.#tracker, this.#placeTracker]) one?.configure(message.precision);
+    if (message.precision != null)
+      for (const one of [this.#tracker, this.#placeTracker]) one?.configure(message.precision);
   }
 
   /** Throws a ProtocolError where assistance is changed that was never asked for. */
   checkAssist({ assist }) {
-    if (assist != null) throw new ProtocolError("out_of_place", "expected assistance to be asked for in 'hello'; it may be changed afterwards", "$.assist");
+    if (assist != null)
+      throw new ProtocolError(
+        "out_of_place",
+        "expected assistance to be asked for in 'hello'; it may be changed afterwards",
+        "$.assist",
+      );
   }
 
   /** Replaces the targets; throws a ProtocolError, nothing changed. @param {import("./targets.js").Target[]} targets */
@@ -188,9 +215,11 @@ export class PredictionStream {
 
   /** Scores the trial; rejects with a ProtocolError where none was started. @param {object|null} goal @param {object} conditions @returns {Promise<object>} */
   async endTrial(goal, conditions) {
-    if (!this.#trial.running) throw new ProtocolError("out_of_place", "expected 'trial' with action 'start' before 'end'", "$.action");
+    if (!this.#trial.running)
+      throw new ProtocolError("out_of_place", "expected 'trial' with action 'start' before 'end'", "$.action");
     this.#trial.describe(conditions);
-    const outcome = this.#tracker?.finishTrial(goal ?? this.#trial.goal) ?? {}, trial = this.#trial.end();
+    const outcome = this.#tracker?.finishTrial(goal ?? this.#trial.goal) ?? {},
+      trial = this.#trial.end();
     const { scoreOf } = await import("./scoring.js");
     return { ...(await scoreOf(trial, this.#pipeline.fresh())), ...outcome };
   }
@@ -204,7 +233,9 @@ export class PredictionStream {
 
   /** The events that do not run backwards, and the error for those that do, null for none. @param {number[][]} rows */
   #inOrder(rows) {
-    let latest = this.#lastTime, first = null, late = 0;
+    let latest = this.#lastTime,
+      first = null,
+      late = 0;
     const used = rows.filter(([t], row) => {
       const backwards = t < latest;
       if (backwards) first ??= { row, t, before: latest };
@@ -213,9 +244,13 @@ export class PredictionStream {
       return !backwards;
     });
     if (first === null) return { used, dropped: null };
-    const also = late > 1 ? ` (${late - 1} more in this frame)` : "", { row, t, before } = first;
+    const also = late > 1 ? ` (${late - 1} more in this frame)` : "",
+      { row, t, before } = first;
     const sentence = `t must not run backwards: ${t} s after ${before} s; dropped${also}`;
-    return { used, dropped: new ProtocolError("out_of_order", sentence, `$.events[${row}][0]`, { field: "t", value: t }).answer };
+    return {
+      used,
+      dropped: new ProtocolError("out_of_order", sentence, `$.events[${row}][0]`, { field: "t", value: t }).answer,
+    };
   }
 }
 

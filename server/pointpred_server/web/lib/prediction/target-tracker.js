@@ -7,7 +7,9 @@ import { ProtocolError } from "./messages.js";
 
 /** Decides among something by a pipeline; what it proposes and retracts is sent. */
 class Tracker {
-  #send; #chooser; #lastTime = null;
+  #send;
+  #chooser;
+  #lastTime = null;
 
   /**
    * @param {(message: object) => void} send @param {Chooser} chooser
@@ -48,7 +50,15 @@ class Tracker {
   /** @param {readonly import("./chooser.js").Choice[]} choices */
   announce(choices) {
     for (const { id, p, action, reason, place } of choices)
-      this.#send({ type: "choice", id: place ? `place ${id}` : id, p, action, t: this.#lastTime, reason, ...(place && { place }) });
+      this.#send({
+        type: "choice",
+        id: place ? `place ${id}` : id,
+        p,
+        action,
+        t: this.#lastTime,
+        reason,
+        ...(place && { place }),
+      });
   }
 }
 
@@ -88,10 +98,13 @@ export class TargetTracker extends Tracker {
 
   /** The target that holds the goal's centre, the one with the nearest centre; null without any. */
   #targetAt({ x, y }) {
-    let nearest = null, least = Infinity;
+    let nearest = null,
+      least = Infinity;
     for (const one of this.targets) {
-      const across = Math.abs(one.x + one.width / 2 - x), down = Math.abs(one.y + one.height / 2 - y);
-      if (across <= one.width / 2 && down <= one.height / 2 && across + down < least) [nearest, least] = [one.id, across + down];
+      const across = Math.abs(one.x + one.width / 2 - x),
+        down = Math.abs(one.y + one.height / 2 - y);
+      if (across <= one.width / 2 && down <= one.height / 2 && across + down < least)
+        [nearest, least] = [one.id, across + down];
     }
     return nearest;
   }

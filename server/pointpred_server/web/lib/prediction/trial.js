@@ -10,7 +10,10 @@ export const MOST_EVENTS = 100_000;
 export class TrialBuffer {
   /** Whether a trial runs. */ running = false;
   /** The target that the start named, if it did. @type {object|null} */ goal = null;
-  #rows = []; #count = 0; #conditions = {}; #names = null;
+  #rows = [];
+  #count = 0;
+  #conditions = {};
+  #names = null;
 
   /** A trial starts; one that was running is dropped. Throws a ProtocolError. @param {object|null} goal @param {object} conditions */
   start(goal, conditions) {

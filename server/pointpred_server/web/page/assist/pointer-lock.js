@@ -36,7 +36,11 @@ function samplesOf(event) {
 
 /** Locks the pointer to an element. */
 export class PointerLock {
-  #element; #handlers; #rest = [0, 0]; #last = -Infinity; #end = null;
+  #element;
+  #handlers;
+  #rest = [0, 0];
+  #last = -Infinity;
+  #end = null;
 
   /**
    * @param {HTMLElement} element
@@ -86,17 +90,20 @@ export class PointerLock {
   }
 
   #onMove(event) {
-    this.#handlers.onMove(samplesOf(event).map((one) => {
-      this.#last = Math.max(this.#last, one.timeStamp / 1000);
-      const [dx, dy] = this.#round([one.movementX, one.movementY]);
-      return { t: this.#last, dx, dy, buttons: one.buttons };
-    }));
+    this.#handlers.onMove(
+      samplesOf(event).map((one) => {
+        this.#last = Math.max(this.#last, one.timeStamp / 1000);
+        const [dx, dy] = this.#round([one.movementX, one.movementY]);
+        return { t: this.#last, dx, dy, buttons: one.buttons };
+      }),
+    );
   }
 
   /** Whole counts: some browsers divide them by the zoom. The fractions are added to the next ones. */
   #round(counts) {
     return counts.map((count, axis) => {
-      const sum = this.#rest[axis] + count, whole = Math.trunc(sum);
+      const sum = this.#rest[axis] + count,
+        whole = Math.trunc(sum);
       this.#rest[axis] = sum - whole;
       return Math.max(-MOST_COUNTS, Math.min(MOST_COUNTS, whole));
     });

@@ -11,8 +11,12 @@ const MARGIN = WIDTH;
 export class Task {
   /** Where to point, px. @type {{x: number, y: number, width: number}} */ target = { x: 0, y: 0, width: WIDTH };
   /** Whether the current target is assisted. */ assisted = true;
-  /** The targets clicked: assisted or not, seconds, clicks beside it. @type {{assisted: boolean, seconds: number, missed: number}[]} */ done = [];
-  #random; #since = null; #missed = 0; #number = 0;
+  /** The targets clicked: assisted or not, seconds, clicks beside it. @type {{assisted: boolean, seconds: number, missed: number}[]} */ done =
+    [];
+  #random;
+  #since = null;
+  #missed = 0;
+  #number = 0;
 
   /** @param {() => number} random */
   constructor(random = Math.random) {
@@ -24,10 +28,15 @@ export class Task {
     const distance = SHARE * Math.min(width, height);
     for (let turn = 0; turn < 9; turn += 1) {
       const angle = GOLDEN * (this.#number + 13 * turn);
-      this.target = { x: Math.round(x + distance * Math.cos(angle)), y: Math.round(y + distance * Math.sin(angle)), width: WIDTH };
+      this.target = {
+        x: Math.round(x + distance * Math.cos(angle)),
+        y: Math.round(y + distance * Math.sin(angle)),
+        width: WIDTH,
+      };
       if (this.#isInside(width, height)) break;
     }
-    if (!this.#isInside(width, height)) this.target = { x: Math.round(width / 2), y: Math.round(height / 2), width: WIDTH };
+    if (!this.#isInside(width, height))
+      this.target = { x: Math.round(width / 2), y: Math.round(height / 2), width: WIDTH };
     this.assisted = always || (this.#number % 2 === 0 ? this.#random() < 0.5 : !this.assisted);
     this.#number += 1;
     [this.#since, this.#missed] = [null, 0];
@@ -56,11 +65,18 @@ export class Task {
 
   /** The results as rows of a table: with assistance, and without. */
   get table() {
-    return [["", "targets", "median, s", "missed"], ...[true, false].map((assisted) => {
-      const targets = this.done.filter((one) => one.assisted === assisted);
-      const seconds = median(targets.map((one) => one.seconds));
-      return [assisted ? "assisted" : "not assisted", String(targets.length), targets.length ? seconds.toFixed(2) : "–",
-        String(targets.reduce((sum, { missed }) => sum + missed, 0))];
-    })];
+    return [
+      ["", "targets", "median, s", "missed"],
+      ...[true, false].map((assisted) => {
+        const targets = this.done.filter((one) => one.assisted === assisted);
+        const seconds = median(targets.map((one) => one.seconds));
+        return [
+          assisted ? "assisted" : "not assisted",
+          String(targets.length),
+          targets.length ? seconds.toFixed(2) : "–",
+          String(targets.reduce((sum, { missed }) => sum + missed, 0)),
+        ];
+      }),
+    ];
   }
 }

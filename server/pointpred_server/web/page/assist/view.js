@@ -1,13 +1,13 @@
 // The assist view: the page captures the mouse, and the session moves a cursor by its counts, assisted or not.
 
-import { FrameLoop, clearCanvas, colours, onRepaint } from "../drawing/canvas.js";
+import { clearCanvas, colours, FrameLoop, onRepaint } from "../drawing/canvas.js";
 import { disc, line } from "../drawing/marks.js";
-import { fillSelect, fillTable, part, write } from "../shell/elements.js";
 import { predictors } from "../service/listing.js";
-import { PredictorConnection } from "../service/predictor-connection.js";
 import { inPage } from "../service/place.js";
+import { PredictorConnection } from "../service/predictor-connection.js";
 import { ConnectionStatus } from "../service/status.js";
-import { COUNTS, PointerLock, isSupported } from "./pointer-lock.js";
+import { fillSelect, fillTable, part, write } from "../shell/elements.js";
+import { COUNTS, isSupported, PointerLock } from "./pointer-lock.js";
 import { Task } from "./task.js";
 
 const ASSISTING_MS = 60;
@@ -15,7 +15,10 @@ const SHOWN_MS = 500; // a prediction is drawn for this long
 const ARM_PX = 9; // of the cursor
 const NUMBERS = { cpi: "Counts per inch", gain: "Gain" };
 
-const canvas = part("assist-scene"), form = part("assist-form"), select = part("assist-predictor"), captureButton = part("assist-capture");
+const canvas = part("assist-scene"),
+  form = part("assist-form"),
+  select = part("assist-predictor"),
+  captureButton = part("assist-capture");
 const [message, results, invitation] = ["status", "results", "invitation"].map((of) => part(`assist-${of}`));
 const status = new ConnectionStatus(part("assist-connection"));
 const lock = new PointerLock(canvas, { onMove: move, onPress: press, onLock: begin, onRelease: end });
@@ -47,8 +50,12 @@ function readSettings() {
       return null;
     }
   }
-  return { cpi: form.elements.cpi.valueAsNumber, gain: form.elements.gain.valueAsNumber,
-    strength: form.elements.strength.valueAsNumber / 100, alternate: form.elements.alternate.checked };
+  return {
+    cpi: form.elements.cpi.valueAsNumber,
+    gain: form.elements.gain.valueAsNumber,
+    strength: form.elements.strength.valueAsNumber / 100,
+    alternate: form.elements.alternate.checked,
+  };
 }
 
 async function capture(event) {
@@ -72,8 +79,11 @@ function begin() {
   cursor ??= size.map((each) => Math.round(each / 2));
   cursor = cursor.map((each, axis) => Math.min(each, size[axis] - 1));
   addedPx = 0;
-  connection = new PredictorConnection(select.value, { state: onState, cursor: moveCursor, error: (error) => !error.recoverable && release(error.message) },
-    { assist: { strength, gain }, device: { cpi }, screen: { width_px: size[0], height_px: size[1], dpi: 96 } });
+  connection = new PredictorConnection(
+    select.value,
+    { state: onState, cursor: moveCursor, error: (error) => !error.recoverable && release(error.message) },
+    { assist: { strength, gain }, device: { cpi }, screen: { width_px: size[0], height_px: size[1], dpi: 96 } },
+  );
   setNextTarget();
   showTask();
   loop.start();
@@ -88,7 +98,11 @@ function setNextTarget() {
 
 function showTask() {
   invitation.classList.toggle("away", lock.active);
-  if (lock.active) showMessage(`Click the filled target, and each one after it. ${COUNTS[counts]} Escape releases the mouse.`, "captured");
+  if (lock.active)
+    showMessage(
+      `Click the filled target, and each one after it. ${COUNTS[counts]} Escape releases the mouse.`,
+      "captured",
+    );
   fillTable(results, task.table);
 }
 
@@ -110,24 +124,51 @@ function moveCursor({ x, y, added_px: added }) {
 }
 
 function draw() {
-  const { active } = lock, now = performance.now(), { target } = task;
+  const { active } = lock,
+    now = performance.now(),
+    { target } = task;
   const latest = active && connection !== null && now - connection.at < SHOWN_MS ? connection.latest : null;
-  const { pen } = clearCanvas(canvas), { target: targetColour, endpoint, text, quiet, past } = colours();
+  const { pen } = clearCanvas(canvas),
+    { target: targetColour, endpoint, text, quiet, past } = colours();
   if (active) disc(pen, [target.x, target.y], target.width / 2, targetColour, true);
   if (latest?.x != null) disc(pen, [latest.x, latest.y], 9, endpoint);
   if (cursor !== null) {
-    const [x, y] = cursor, colour = active ? text : quiet;
-    line(pen, [[x - ARM_PX, y], [x + ARM_PX, y]], colour, 2);
-    line(pen, [[x, y - ARM_PX], [x, y + ARM_PX]], colour, 2);
+    const [x, y] = cursor,
+      colour = active ? text : quiet;
+    line(
+      pen,
+      [
+        [x - ARM_PX, y],
+        [x + ARM_PX, y],
+      ],
+      colour,
+      2,
+    );
+    line(
+      pen,
+      [
+        [x, y - ARM_PX],
+        [x, y + ARM_PX],
+      ],
+      colour,
+      2,
+    );
     if (active && now - assistedAt < ASSISTING_MS) disc(pen, cursor, ARM_PX + 3, past, false, 2);
   }
-  Object.assign(canvas.dataset, { captured: active, x: cursor?.[0] ?? "", y: cursor?.[1] ?? "", added: addedPx, assisted: task.assisted,
-    target: [target.x, target.y].join() });
+  Object.assign(canvas.dataset, {
+    captured: active,
+    x: cursor?.[0] ?? "",
+    y: cursor?.[1] ?? "",
+    added: addedPx,
+    assisted: task.assisted,
+    target: [target.x, target.y].join(),
+  });
 }
 
 function onState(state) {
   status.show(state, { error: connection?.error });
-  if (state === "waiting" || state === "refused") release(inPage() ? "the predictor could not be loaded" : "the service does not answer");
+  if (state === "waiting" || state === "refused")
+    release(inPage() ? "the predictor could not be loaded" : "the service does not answer");
 }
 
 /** Releases the mouse: without a session its cursor does not move. */
@@ -141,7 +182,11 @@ function end() {
   connection?.close();
   connection = null;
   showTask();
-  showMessage(releaseText || `The mouse was released. ${task.done.length ? "Capture it again to go on; the table is kept." : "No target was clicked."}`, "released");
+  showMessage(
+    releaseText ||
+      `The mouse was released. ${task.done.length ? "Capture it again to go on; the table is kept." : "No target was clicked."}`,
+    "released",
+  );
   draw();
 }
 
@@ -150,7 +195,10 @@ export async function open() {
   fillTable(results, task.table);
   draw();
   if (!isSupported()) {
-    showMessage("This browser cannot capture the mouse (it has no pointer lock), so this view does not work in it.", "unsupported");
+    showMessage(
+      "This browser cannot capture the mouse (it has no pointer lock), so this view does not work in it.",
+      "unsupported",
+    );
     return;
   }
   const listing = await predictors();

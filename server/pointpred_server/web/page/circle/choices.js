@@ -9,7 +9,9 @@ export class CircleChoices {
   register(connection, places, width) {
     this.clear();
     this.probabilities = places.map(() => 0);
-    connection.setTargets(places.map(([x, y], i) => ({ id: String(i), x: x - width / 2, y: y - width / 2, width, height: width })));
+    connection.setTargets(
+      places.map(([x, y], i) => ({ id: String(i), x: x - width / 2, y: y - width / 2, width, height: width })),
+    );
   }
 
   /** @param {import("../../lib/pointpred.js").Choice} choice */

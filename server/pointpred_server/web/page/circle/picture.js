@@ -1,14 +1,30 @@
 // The picture of the circle task: its targets, the one to select, and where the last selection was.
 
 import { clearCanvas, colours } from "../drawing/canvas.js";
-import { MARKS, clamp, disc, halo, line } from "../drawing/marks.js";
+import { clamp, disc, halo, line, MARKS } from "../drawing/marks.js";
 
 const HALO_PX = 6; // beyond the edge of the target
 const [THIN_PX, BROAD_PX] = [4, 8];
 
 function cross(pen, [x, y], reach, colour) {
-  line(pen, [[x - reach, y - reach], [x + reach, y + reach]], colour, 2);
-  line(pen, [[x - reach, y + reach], [x + reach, y - reach]], colour, 2);
+  line(
+    pen,
+    [
+      [x - reach, y - reach],
+      [x + reach, y + reach],
+    ],
+    colour,
+    2,
+  );
+  line(
+    pen,
+    [
+      [x - reach, y + reach],
+      [x + reach, y - reach],
+    ],
+    colour,
+    2,
+  );
 }
 
 /**
@@ -17,11 +33,18 @@ function cross(pen, [x, y], reach, colour) {
  *   probabilities?: number[], proposed?: number | null}} scene `probabilities` of the targets are shown as the opacity of
  *   their halos; that of the proposed one is broad
  */
-export function drawCircle(canvas, { places, width: size, current, last, prediction, probabilities = [], proposed = null }) {
+export function drawCircle(
+  canvas,
+  { places, width: size, current, last, prediction, probabilities = [], proposed = null },
+) {
   const { pen, width, height } = clearCanvas(canvas);
   const { endpoint, target, none, panel, quiet, [MARKS[0].colour]: markColour } = colours();
-  places.forEach((place, i) => disc(pen, place, size / 2, i === current ? target : none, i === current, i === current ? 3 : 1.5));
-  places.forEach((place, i) => halo(pen, place, size / 2 + HALO_PX, endpoint, probabilities[i] ?? 0, i === proposed ? BROAD_PX : THIN_PX));
+  places.forEach((place, i) =>
+    disc(pen, place, size / 2, i === current ? target : none, i === current, i === current ? 3 : 1.5),
+  );
+  places.forEach((place, i) =>
+    halo(pen, place, size / 2 + HALO_PX, endpoint, probabilities[i] ?? 0, i === proposed ? BROAD_PX : THIN_PX),
+  );
   if (current !== null) cross(pen, places[current], Math.min(5, size / 5), panel);
   if (last !== null) cross(pen, last.end.slice(1, 3), 4, last.hit ? quiet : endpoint);
   if (prediction !== null && prediction.x !== null) {

@@ -3,8 +3,21 @@
 const USER = "page";
 const SAMPLES = ["dataset", "user", "trial", "t_s", "x_px", "y_px", "buttons"];
 const TRIALS = [
-  "dataset", "user", "trial", "target_x", "target_y", "target_w", "n_samples",
-  "block", "distance_px", "from_x", "from_y", "hit", "started_s", "start_x", "start_y",
+  "dataset",
+  "user",
+  "trial",
+  "target_x",
+  "target_y",
+  "target_w",
+  "n_samples",
+  "block",
+  "distance_px",
+  "from_x",
+  "from_y",
+  "hit",
+  "started_s",
+  "start_x",
+  "start_y",
 ];
 
 /** A table as CSV: numbers read back exactly, null is an empty cell. */
@@ -24,14 +37,28 @@ const nameOf = ({ block, number }) => `block-${block}-movement-${number}`;
  */
 export function recording(trials, name) {
   const complete = trials.filter(({ rows }) => rows.length);
-  const provenance = { format: "circle of the live page", clock: "seconds of the browser's clock", dpi: 96, simulated: false };
+  const provenance = {
+    format: "circle of the live page",
+    clock: "seconds of the browser's clock",
+    dpi: 96,
+    simulated: false,
+  };
   const skipped = trials.filter(({ rows }) => !rows.length).map((trial) => [nameOf(trial), "no samples", null, USER]);
   const samples = complete.flatMap((trial) =>
     trial.rows.map(([t, x, y, , , buttons]) => [name, USER, nameOf(trial), t, x, y, buttons]),
   );
   const rows = complete.map((trial) => [
-    name, USER, nameOf(trial), ...trial.target, trial.width, trial.rows.length,
-    trial.block, trial.distance, ...trial.from, Number(trial.hit), ...trial.start.slice(0, 3),
+    name,
+    USER,
+    nameOf(trial),
+    ...trial.target,
+    trial.width,
+    trial.rows.length,
+    trial.block,
+    trial.distance,
+    ...trial.from,
+    Number(trial.hit),
+    ...trial.start.slice(0, 3),
   ]);
   return {
     samples: { name: `${name}_samples.csv`, text: csv({ name, provenance, skipped, notes: [] }, SAMPLES, samples) },

@@ -16,28 +16,49 @@ function showTiles(run) {
     ["Errors", percent(run.errorRate, 1), run.errorRate],
     ["Movements", String(run.trials), run.trials],
   ];
-  part("circle-tiles").replaceChildren(...tiles.map(([name, text, value]) => {
-    const tile = document.createElement("div");
-    const [term, description] = [document.createElement("dt"), document.createElement("dd")];
-    term.textContent = name;
-    description.textContent = text;
-    description.dataset.exact = String(value);
-    tile.append(term, description);
-    return tile;
-  }));
+  part("circle-tiles").replaceChildren(
+    ...tiles.map(([name, text, value]) => {
+      const tile = document.createElement("div");
+      const [term, description] = [document.createElement("dt"), document.createElement("dd")];
+      term.textContent = name;
+      description.textContent = text;
+      description.dataset.exact = String(value);
+      tile.append(term, description);
+      return tile;
+    }),
+  );
 }
 
 function showBlocks(run) {
-  const heads = ["block", "movements", "errors", "time, s", "effective width, px", "effective distance, px", "throughput, bits/s"];
-  fillTable(part("circle-blocks"), [heads, ...run.blocks.map((block) => [
-    String(block.block), String(block.trials), percent(block.errorRate, 1), number(block.movementTime, 3),
-    number(block.effectiveWidth, 1), number(block.effectiveDistance, 1), number(block.throughput, 2),
-  ])]);
+  const heads = [
+    "block",
+    "movements",
+    "errors",
+    "time, s",
+    "effective width, px",
+    "effective distance, px",
+    "throughput, bits/s",
+  ];
+  fillTable(part("circle-blocks"), [
+    heads,
+    ...run.blocks.map((block) => [
+      String(block.block),
+      String(block.trials),
+      percent(block.errorRate, 1),
+      number(block.movementTime, 3),
+      number(block.effectiveWidth, 1),
+      number(block.effectiveDistance, 1),
+      number(block.throughput, 2),
+    ]),
+  ]);
 }
 
 function linkFiles({ samples, trials }) {
   addresses.forEach((address) => URL.revokeObjectURL(address));
-  addresses = [["circle-samples", samples], ["circle-trials", trials]].map(([id, { name, text }]) => {
+  addresses = [
+    ["circle-samples", samples],
+    ["circle-trials", trials],
+  ].map(([id, { name, text }]) => {
     const link = part(id);
     link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
     link.download = name;

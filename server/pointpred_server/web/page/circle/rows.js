@@ -6,7 +6,8 @@ const SCORES = [2, 3, 4]; // indices of the cells with scores
 
 /** The newest movement is on top; scores arrive in the order of the movements. */
 export class CircleRows {
-  #body; #pending = [];
+  #body;
+  #pending = [];
 
   /** @param {HTMLTableSectionElement} body */
   constructor(body) {

@@ -58,7 +58,8 @@ export function fitsPicture({ places, settings: { width } }, canvas) {
  *   `field` is the first wrong one; `most` is the longest distance that fits
  */
 export function readSettings(form, canvas) {
-  let problem = null, first = null;
+  let problem = null,
+    first = null;
   const settings = { centre: [Math.round(canvas.clientWidth / 2), Math.round(canvas.clientHeight / 2)] };
   for (const name of Object.keys(NAMES)) {
     const field = form.elements[name];
@@ -68,7 +69,7 @@ export function readSettings(form, canvas) {
     if (wrong) first ??= field;
     problem ??= wrong;
   }
-  const most = settings.most = longestDistance(canvas, settings.targets, settings.width);
+  const most = (settings.most = longestDistance(canvas, settings.targets, settings.width));
   if (problem === null && settings.distance > most) {
     problem = `Distance can be at most ${most} px in this window.`;
     first = form.elements.distance;

@@ -15,7 +15,9 @@ export class CircleTask {
   /** Presses beside the first target of a block, which do not begin it. */ misplaced = 0;
   block = 1;
   done = false;
-  #startRow = null; #rows = []; #position = 0;
+  #startRow = null;
+  #rows = [];
+  #position = 0;
 
   /**
    * @param {{targets: number, distance: number, width: number, blocks: number, centre: [number, number]}} settings
@@ -92,8 +94,16 @@ export class CircleTask {
   #trial(row) {
     const { width, distance } = this.settings;
     return {
-      block: this.block, number: this.#position, from: this.places[this.#position - 1], target: this.places[this.current],
-      width, distance, start: this.#startRow, end: row, hit: this.#isHit(row), rows: this.#rows,
+      block: this.block,
+      number: this.#position,
+      from: this.places[this.#position - 1],
+      target: this.places[this.current],
+      width,
+      distance,
+      start: this.#startRow,
+      end: row,
+      hit: this.#isHit(row),
+      rows: this.#rows,
     };
   }
 }

@@ -1,14 +1,14 @@
 // The circle view: the settings, the run, and a row for each movement as it is scored.
 
+import { Ledger } from "../../lib/prediction/ledger.js";
 import { FrameLoop, onRepaint } from "../drawing/canvas.js";
+import { predictors } from "../service/listing.js";
+import { inPage } from "../service/place.js";
+import { PredictorConnection } from "../service/predictor-connection.js";
+import { ConnectionStatus } from "../service/status.js";
 import { fillSelect, part, write } from "../shell/elements.js";
 import { accountOf, count } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
-import { Ledger } from "../../lib/prediction/ledger.js";
-import { predictors } from "../service/listing.js";
-import { PredictorConnection } from "../service/predictor-connection.js";
-import { inPage } from "../service/place.js";
-import { ConnectionStatus } from "../service/status.js";
 import { CircleChoices } from "./choices.js";
 import { circle } from "./geometry.js";
 import { drawCircle } from "./picture.js";
@@ -21,9 +21,14 @@ const SHOWN_MS = 500; // a prediction is drawn for this long
 const READY = ["open", "idle"]; // states of a connection in which a run can start: the next event opens an idle one
 const DOWN = "Start is disabled: the service does not answer. Is it still running? The page tries again by itself.";
 const UNLOADED = "Start is disabled: the predictor could not be loaded. The page tries again by itself.";
-const CANCELLED = { view: "The run was cancelled because another view was opened.", place: "The run was cancelled because you changed where predictions are made." };
+const CANCELLED = {
+  view: "The run was cancelled because another view was opened.",
+  place: "The run was cancelled because you changed where predictions are made.",
+};
 
-const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(part);
+const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(
+  part,
+);
 const [runStatus, progress, ledgerLine] = ["circle-status", "circle-progress", "circle-ledger"].map(part);
 const status = new ConnectionStatus(part("circle-connection"));
 const rows = new CircleRows(part("circle-rows"));
@@ -79,7 +84,11 @@ function showProgress() {
   progress.value = task.trials.length;
   const counts = `${task.trials.length} of ${task.total} movements, ${misses} missed`;
   if (task.done) showRunStatus(`Done: ${counts}. The result is below.`, "done");
-  else if (!task.running) showRunStatus(`Block ${task.block} of ${task.settings.blocks}: click the filled target to begin. ${counts}.`, "waiting");
+  else if (!task.running)
+    showRunStatus(
+      `Block ${task.block} of ${task.settings.blocks}: click the filled target to begin. ${counts}.`,
+      "waiting",
+    );
   else showRunStatus(`Block ${task.block} of ${task.settings.blocks}: ${counts}.`, "running");
 }
 
@@ -104,13 +113,17 @@ function connectWith(predictor) {
   if (connection?.predictor === predictor && connection.state !== "closed") return;
   connection?.close();
   connection = null;
-  connection = new PredictorConnection(predictor, {
-    state: onState,
-    score: onScore,
-    prediction: (prediction) => choices.addPrediction(prediction),
-    choice: (choice) => choices.addChoice(choice),
-    error: ({ code }) => code === "out_of_place" && rows.endSession(),
-  }, { encoding: "json" }); // packed predictions have no probabilities of targets
+  connection = new PredictorConnection(
+    predictor,
+    {
+      state: onState,
+      score: onScore,
+      prediction: (prediction) => choices.addPrediction(prediction),
+      choice: (choice) => choices.addChoice(choice),
+      error: ({ code }) => code === "out_of_place" && rows.endSession(),
+    },
+    { encoding: "json" },
+  ); // packed predictions have no probabilities of targets
 }
 
 function start() {
@@ -138,7 +151,8 @@ function setRunning(running) {
   startButton.textContent = running ? "Start again" : "Start";
   stopButton.disabled = !running;
   part("circle-invitation").classList.toggle("away", running);
-  for (const field of form.elements) if (!["circle-start", "circle-stop"].includes(field.id) && field.name !== "shown") field.disabled = running;
+  for (const field of form.elements)
+    if (!["circle-start", "circle-stop"].includes(field.id) && field.name !== "shown") field.disabled = running;
 }
 
 /** Ends the run early. @param {string} reason a sentence to add */
@@ -147,7 +161,10 @@ function stop(reason = "") {
   const trials = task.trials;
   task = null;
   setRunning(false);
-  showRunStatus((trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + reason, "stopped");
+  showRunStatus(
+    (trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + reason,
+    "stopped",
+  );
   if (trials.length > 1) showResult(trials);
 }
 
@@ -159,13 +176,18 @@ function finish() {
 function frame() {
   const { settings, problem } = readSettings(form, canvas);
   const scene = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
-  const running = isRunning(), showsPrediction = running && form.elements.shown.checked;
+  const running = isRunning(),
+    showsPrediction = running && form.elements.shown.checked;
   write(part("circle-warning"), problem || running ? "" : overlapWarning(settings));
   const recent = connection !== null && performance.now() - connection.at < SHOWN_MS;
   drawCircle(canvas, {
-    places: scene.places, width: scene.settings.width, current: running ? task.current : null,
-    last: task?.trials[task.trials.length - 1] ?? null, prediction: showsPrediction && recent ? connection.latest : null,
-    probabilities: showsPrediction ? choices.probabilities : [], proposed: choices.proposed,
+    places: scene.places,
+    width: scene.settings.width,
+    current: running ? task.current : null,
+    last: task?.trials[task.trials.length - 1] ?? null,
+    prediction: showsPrediction && recent ? connection.latest : null,
+    probabilities: showsPrediction ? choices.probabilities : [],
+    proposed: choices.proposed,
   });
 }
 
@@ -209,7 +231,10 @@ export function close(reason = "view") {
 if (window.matchMedia("(pointer: coarse)").matches) {
   write(part("circle-invitation").querySelector("span"), "drag to each next one and lift your finger on it");
 }
-form.addEventListener("submit", (event) => { event.preventDefault(); start(); });
+form.addEventListener("submit", (event) => {
+  event.preventDefault();
+  start();
+});
 form.elements.predictor.addEventListener("change", () => active && connectWith(form.elements.predictor.value));
 for (const name of ["targets", "width"]) form.elements[name].addEventListener("input", updateDistance);
 form.elements.distance.addEventListener("input", () => (edited = true));

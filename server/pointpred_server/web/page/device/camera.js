@@ -17,10 +17,18 @@ export class Camera {
     if (points.length === 0) return;
     const [left, right] = bounds(points.map(([x]) => x));
     const [top, bottom] = bounds(points.map(([, y]) => y));
-    const fitting = Math.min(1, width / Math.max(MIN_PX, ROOM * (right - left)), height / Math.max(MIN_PX, ROOM * (bottom - top)));
-    if (fitting < this.scale || fitting > this.scale * STEP * STEP) this.scale = Math.min(1, STEP ** Math.floor(Math.log(fitting) / Math.log(STEP) + 1e-9));
-    const inPicture = ([x, y], share) => Math.abs(x - this.#centre[0]) * this.scale < (share * width) / 2 && Math.abs(y - this.#centre[1]) * this.scale < (share * height) / 2;
-    if (!inPicture([left, top], 0.95) || !inPicture([right, bottom], 0.95)) this.#centre = [(left + right) / 2, (top + bottom) / 2];
+    const fitting = Math.min(
+      1,
+      width / Math.max(MIN_PX, ROOM * (right - left)),
+      height / Math.max(MIN_PX, ROOM * (bottom - top)),
+    );
+    if (fitting < this.scale || fitting > this.scale * STEP * STEP)
+      this.scale = Math.min(1, STEP ** Math.floor(Math.log(fitting) / Math.log(STEP) + 1e-9));
+    const inPicture = ([x, y], share) =>
+      Math.abs(x - this.#centre[0]) * this.scale < (share * width) / 2 &&
+      Math.abs(y - this.#centre[1]) * this.scale < (share * height) / 2;
+    if (!inPicture([left, top], 0.95) || !inPicture([right, bottom], 0.95))
+      this.#centre = [(left + right) / 2, (top + bottom) / 2];
     this.width = width;
     this.height = height;
   }
@@ -33,6 +41,10 @@ export class Camera {
   /** A mark of the plane as it appears in the picture. @param {import("../live/picture.js").Mark} mark */
   project({ prediction, regions, opacity }) {
     const [x, y] = this.place([prediction.x, prediction.y]);
-    return { prediction: { ...prediction, x, y }, regions: projectRegions(regions, this.scale, (point) => this.place(point)), opacity };
+    return {
+      prediction: { ...prediction, x, y },
+      regions: projectRegions(regions, this.scale, (point) => this.place(point)),
+      opacity,
+    };
   }
 }

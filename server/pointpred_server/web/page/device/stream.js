@@ -10,7 +10,8 @@ export const attachedDevice = () => read("/v1/live");
 /** Listens to `/v1/live`, and connects again whenever the connection is lost. */
 export class DeviceStream {
   /** @type {"connecting"|"open"|"waiting"|"closed"} */ state = "connecting";
-  #handlers; #socket;
+  #handlers;
+  #socket;
 
   /** @param {Object<string, (message: object) => void>} handlers by the type of a message; `state` for that of the connection */
   constructor(handlers) {

@@ -1,14 +1,14 @@
 // The attached device in the live view: its trail, predictions, rates, losses and gain curve.
 
-import { FrameLoop, clearCanvas, prefersLessMotion } from "../drawing/canvas.js";
+import { clearCanvas, FrameLoop, prefersLessMotion } from "../drawing/canvas.js";
 import { SmoothRegions } from "../drawing/regions.js";
 import { drawLive, recentPart } from "../live/picture.js";
-import { PredictionFields, markOf, opacityAfter, publishDrawn, publishRegions } from "../live/prediction.js";
+import { markOf, opacityAfter, PredictionFields, publishDrawn, publishRegions } from "../live/prediction.js";
 import { part, sentence, write } from "../shell/elements.js";
 import { number, percent } from "../shell/numbers.js";
 import { Camera } from "./camera.js";
 import { GainCurve } from "./gain-curve.js";
-import { DeviceStream, attachedDevice } from "./stream.js";
+import { attachedDevice, DeviceStream } from "./stream.js";
 
 const THIN_S = 0.004; // the trail needs no more points, however fast the device is
 const MOST_POINTS = 2000;
@@ -19,7 +19,9 @@ const LOSSES = { lost: "lost", unreadable: "unreadable", refused: "refused", res
 const canvas = part("device-scene");
 const status = part("device-status");
 const link = part("device-link");
-const cells = Object.fromEntries([...part("live-device").querySelectorAll("[data-of]")].map((cell) => [cell.dataset.of, cell]));
+const cells = Object.fromEntries(
+  [...part("live-device").querySelectorAll("[data-of]")].map((cell) => [cell.dataset.of, cell]),
+);
 const fields = new PredictionFields(part("live-device"));
 const loop = new FrameLoop(frame);
 
@@ -44,7 +46,10 @@ const handlers = {
     [trail, newest, camera, regions] = [[], null, new Camera(), new SmoothRegions()];
     const resolution = message.cpi === null ? "Its resolution is unknown." : `${number(message.cpi)} counts per inch.`;
     write(part("device-name"), message.name);
-    write(part("device-description"), `${sentence(message.words)} Predictor: ${message.predictor}. ${resolution} Times: ${message.clock}.`);
+    write(
+      part("device-description"),
+      `${sentence(message.words)} Predictor: ${message.predictor}. ${resolution} Times: ${message.clock}.`,
+    );
     showStatus("Attached.", "attached");
   },
   events: ({ events }) => {
@@ -63,7 +68,9 @@ const handlers = {
     write(cells.rate, number(message.rate_hz, 0, "/s"));
     write(cells.delay, number(message.delay_p99_s === null ? null : 1000 * message.delay_p99_s, 2, "ms"));
     write(cells.reports, number(message.reports));
-    const losses = Object.entries(LOSSES).filter(([name]) => message[name] > 0).map(([name, noun]) => `${message[name]} ${noun}`);
+    const losses = Object.entries(LOSSES)
+      .filter(([name]) => message[name] > 0)
+      .map(([name, noun]) => `${message[name]} ${noun}`);
     write(cells.losses, losses.join(", ") || "none");
     cells.losses.title = cells.losses.textContent;
     if (message.plugged) showStatus(message.note === null ? "Attached." : sentence(message.note), "attached");
@@ -105,7 +112,11 @@ function currentMark(now) {
 
 function draw(seconds, mark) {
   const points = trail.map(([, x, y]) => [x, y]);
-  camera.follow(mark === null ? points : [...points, [mark.prediction.x, mark.prediction.y]], canvas.clientWidth, canvas.clientHeight);
+  camera.follow(
+    mark === null ? points : [...points, [mark.prediction.x, mark.prediction.y]],
+    canvas.clientWidth,
+    canvas.clientHeight,
+  );
   const projected = trail.map(([t, x, y]) => [t, ...camera.place([x, y])]);
   publishDrawn(canvas, drawLive(canvas, projected, [mark && camera.project(mark)], seconds, NO_TILES));
 }

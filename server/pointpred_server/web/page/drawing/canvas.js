@@ -1,7 +1,18 @@
 // Canvases in CSS pixels and in the colours of the style sheet, drawn again when the theme or the window changes.
 
 const NAMES = [
-  "panel", "text", "quiet", "line", "past", "future", "endpoint", "second", "none", "target", "ballistic", "corrective",
+  "panel",
+  "text",
+  "quiet",
+  "line",
+  "past",
+  "future",
+  "endpoint",
+  "second",
+  "none",
+  "target",
+  "ballistic",
+  "corrective",
 ];
 
 let current = null;
@@ -34,8 +45,10 @@ export const prefersLessMotion = () => window.matchMedia("(prefers-reduced-motio
 /** Clears a canvas and makes it sharp on any display; lengths are CSS pixels. */
 export function clearCanvas(canvas) {
   const ratio = window.devicePixelRatio || 1;
-  const width = canvas.clientWidth, height = canvas.clientHeight;
-  const columns = Math.round(width * ratio), rows = Math.round(height * ratio);
+  const width = canvas.clientWidth,
+    height = canvas.clientHeight;
+  const columns = Math.round(width * ratio),
+    rows = Math.round(height * ratio);
   if (canvas.width !== columns || canvas.height !== rows) [canvas.width, canvas.height] = [columns, rows];
   const pen = canvas.getContext("2d");
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -46,7 +59,9 @@ export function clearCanvas(canvas) {
 
 /** Calls `draw` once per frame while it runs. */
 export class FrameLoop {
-  #draw; #running = false; #scheduled = false;
+  #draw;
+  #running = false;
+  #scheduled = false;
 
   /** @param {(now: number) => void} draw `now` in ms */
   constructor(draw) {

@@ -67,7 +67,8 @@ export const MARKS = [
 
 /** A predicted endpoint: the mark of a predictor, and a dashed line to it. @param {number} which of the predictors */
 export function drawEndpoint(pen, which, from, endpoint) {
-  const { shape, colour, dash } = MARKS[which], { [colour]: own, panel } = colours();
+  const { shape, colour, dash } = MARKS[which],
+    { [colour]: own, panel } = colours();
   if (from !== undefined) line(pen, [from, endpoint], own, 1.5, dash);
   shape(pen, endpoint, 9, panel, false, 6); // a rim: a tile of the same colour may lie below
   shape(pen, endpoint, 9, own, false, 3);
@@ -83,7 +84,8 @@ export function label(pen, text, [x, y]) {
   pen.fillStyle = colours().text;
   pen.lineWidth = 4;
   pen.textAlign = x + 60 > pen.canvas.clientWidth ? "right" : "left";
-  const side = pen.textAlign === "right" ? -1 : 1, at = [x + side * TEXT_AT[0], Math.max(y + TEXT_AT[1], 12)];
+  const side = pen.textAlign === "right" ? -1 : 1,
+    at = [x + side * TEXT_AT[0], Math.max(y + TEXT_AT[1], 12)];
   pen.strokeText(text, ...at);
   pen.fillText(text, ...at);
 }

@@ -1,7 +1,7 @@
 // What the plots of the page have in common: axes in the page's colours, and a size that follows their box.
 
-import { colours, onRepaint } from "./canvas.js";
 import uPlot from "../vendor/uPlot.esm.js";
+import { colours, onRepaint } from "./canvas.js";
 
 const MIN_PX = 50;
 const FONT = "12px system-ui, sans-serif";
@@ -16,7 +16,8 @@ const sizeOf = (box) => ({ width: Math.max(MIN_PX, box.clientWidth), height: Mat
 
 /** A plot of uPlot without its own legend and cursor, as large as its box. */
 export class Plot {
-  /** @type {uPlot} */ #plot; #box;
+  /** @type {uPlot} */ #plot;
+  #box;
 
   /** @param {HTMLElement} box of fixed height @param {object} options of uPlot @param {number[][]} data */
   constructor(box, options, data) {

@@ -1,8 +1,8 @@
 // The regions of a prediction as the page draws them: that of 50 % tinted, that of 80 % as a thin outline. A mixture of targets,
 // places and elsewhere has the outlines of its own densest places, any other law an ellipse.
 
-import { colours } from "./canvas.js";
 import { regionOf } from "../../lib/pointpred.js";
+import { colours } from "./canvas.js";
 
 const EASE_MS = 120;
 const MOST_PER_MS = 0.006; // change of an axis' logarithm: a factor of 1.8 in 100 ms
@@ -33,7 +33,11 @@ const outlined = new WeakMap(); // by mixture: a prediction is drawn in several 
  */
 export function outlinesOf(mixture) {
   if (!mixture) return null;
-  if (!outlined.has(mixture)) outlined.set(mixture, [0.5, 0.8].map((level) => mixture.likely(LIKELY).outlines(level, POINTS)));
+  if (!outlined.has(mixture))
+    outlined.set(
+      mixture,
+      [0.5, 0.8].map((level) => mixture.likely(LIKELY).outlines(level, POINTS)),
+    );
   return outlined.get(mixture);
 }
 
@@ -48,7 +52,8 @@ export function projectRegions(regions, scale, place) {
 
 /** Smooths the regions of one predictor over time, on a logarithmic scale, so that their size does not flicker. */
 export class SmoothRegions {
-  #state = null; #at = 0;
+  #state = null;
+  #at = 0;
 
   /**
    * The regions to draw now. @param {object|null} prediction @param {number} now ms
@@ -71,13 +76,15 @@ function encode({ inner, outer }) {
 }
 
 function approach(from, to, ms) {
-  const share = 1 - Math.exp(-ms / EASE_MS), most = MOST_PER_MS * ms;
+  const share = 1 - Math.exp(-ms / EASE_MS),
+    most = MOST_PER_MS * ms;
   const logs = from.logs.map((value, i) => value + Math.max(-most, Math.min(most, share * (to.logs[i] - value))));
   return { logs, cos: from.cos + share * (to.cos - from.cos), sin: from.sin + share * (to.sin - from.sin) };
 }
 
 function decode({ logs, cos, sin }, { x, y }) {
-  const [a, b, c, d] = logs.map(Math.exp), angle = Math.atan2(sin, cos) / 2;
+  const [a, b, c, d] = logs.map(Math.exp),
+    angle = Math.atan2(sin, cos) / 2;
   return { inner: { x, y, major: a, minor: b, angle }, outer: { x, y, major: c, minor: d, angle } };
 }
 
@@ -88,7 +95,8 @@ function opacityOf({ major }, width, height, [full, none]) {
 }
 
 /** Whether the 50 % region is visible in a picture of this size. @param {Regions|null} regions */
-export const isVisible = (regions, width, height) => regions !== null && opacityOf(regions.inner, width, height, OUTLINE_RANGE.inner) > 0;
+export const isVisible = (regions, width, height) =>
+  regions !== null && opacityOf(regions.inner, width, height, OUTLINE_RANGE.inner) > 0;
 
 /** Adds a closed polygon to the path. */
 function trace(pen, polygon) {
@@ -108,9 +116,13 @@ export function drawRegions(pen, regions, { colour, outline }, width, height, op
   pen.strokeStyle = pen.fillStyle = colours()[colour];
   pen.setLineDash(outline);
   const [within, around] = outlines ?? [];
-  for (const [region, polygons, outlineRange, fill, thickness] of [[outer, around, OUTLINE_RANGE.outer, 0, 1], [inner, within, OUTLINE_RANGE.inner, FILL, 1.5]]) {
+  for (const [region, polygons, outlineRange, fill, thickness] of [
+    [outer, around, OUTLINE_RANGE.outer, 0, 1],
+    [inner, within, OUTLINE_RANGE.inner, FILL, 1.5],
+  ]) {
     pen.beginPath();
-    if (polygons === undefined) pen.ellipse(region.x, region.y, region.major, region.minor, region.angle, 0, 2 * Math.PI);
+    if (polygons === undefined)
+      pen.ellipse(region.x, region.y, region.major, region.minor, region.angle, 0, 2 * Math.PI);
     else for (const polygon of polygons) trace(pen, polygon);
     pen.globalAlpha = fill * opacity * opacityOf(region, width, height, TINT_RANGE);
     pen.fill();

@@ -1,18 +1,23 @@
 // A predictor in the live view: its choice, its connection, its parameters and its predictions.
 
-import { fillSelect, sentence, write } from "../shell/elements.js";
 import { SmoothRegions } from "../drawing/regions.js";
 import { withParameters } from "../service/listing.js";
 import { PredictorConnection, stateText } from "../service/predictor-connection.js";
 import { ConnectionStatus } from "../service/status.js";
-import { PredictionFields, markOf, opacityAfter } from "./prediction.js";
+import { fillSelect, sentence, write } from "../shell/elements.js";
 import { Parameters } from "./parameters.js";
+import { markOf, opacityAfter, PredictionFields } from "./prediction.js";
 
 /** The card of one predictor. */
 export class LiveCard {
   /** Null while no predictor is chosen or the view is closed. @type {PredictorConnection|null} */ connection = null;
   /** @type {import("../service/listing.js").Listed[]} */ #predictors = [];
-  #card; #status; #about; #handlers; #options; #regions = new SmoothRegions();
+  #card;
+  #status;
+  #about;
+  #handlers;
+  #options;
+  #regions = new SmoothRegions();
 
   /**
    * @param {HTMLElement} card @param {HTMLDetailsElement} parameters
@@ -26,8 +31,15 @@ export class LiveCard {
     this.fields = new PredictionFields(card);
     this.#status = new ConnectionStatus(card.querySelector(".connection"));
     this.#about = card.querySelector(".about");
-    this.#handlers = { prediction: (one) => onPrediction(one, this.connection.activePredictor), state: () => this.#showStatus(), error: (one) => this.#showError(one), ...handlers };
-    this.parameters = new Parameters(parameters, () => this.connection?.configure(this.select.value, this.parameters.values));
+    this.#handlers = {
+      prediction: (one) => onPrediction(one, this.connection.activePredictor),
+      state: () => this.#showStatus(),
+      error: (one) => this.#showError(one),
+      ...handlers,
+    };
+    this.parameters = new Parameters(parameters, () =>
+      this.connection?.configure(this.select.value, this.parameters.values),
+    );
     this.select.addEventListener("change", () => this.#choose());
   }
 
@@ -45,7 +57,8 @@ export class LiveCard {
   /** Connects with the chosen predictor, if there is one. */
   open() {
     const parameters = this.parameters.values;
-    if (this.connection === null && this.select.value) this.connection = new PredictorConnection(this.select.value, this.#handlers, { ...this.#options, parameters });
+    if (this.connection === null && this.select.value)
+      this.connection = new PredictorConnection(this.select.value, this.#handlers, { ...this.#options, parameters });
     this.#showStatus();
   }
 
@@ -57,7 +70,12 @@ export class LiveCard {
   /** The newest prediction as it is drawn; null once it is too old or the movement is over. */
   mark(now) {
     const isOpen = this.connection?.state === "open";
-    return markOf(isOpen ? this.connection.latest : null, this.#regions, now, isOpen ? opacityAfter(performance.now() - this.connection.at) : 0);
+    return markOf(
+      isOpen ? this.connection.latest : null,
+      this.#regions,
+      now,
+      isOpen ? opacityAfter(performance.now() - this.connection.at) : 0,
+    );
   }
 
   #choose() {

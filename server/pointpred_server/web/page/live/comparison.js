@@ -1,8 +1,8 @@
 // The same movements predicted in the page and by the service: how far the predictions are apart, and how late they are.
 
+import { PredictorConnection } from "../service/predictor-connection.js";
 import { part, write } from "../shell/elements.js";
 import { median, number } from "../shell/numbers.js";
-import { PredictorConnection } from "../service/predictor-connection.js";
 import { Pairs } from "./pairs.js";
 
 const EQUAL_PX = 1e-6; // sums are rounded differently
@@ -11,14 +11,23 @@ const PLACES = ["page", "service"];
 
 /** One of both places: its connection, and its newest delays. */
 class Side {
-  #connection; #ends = new Set(); #delays = [];
+  #connection;
+  #ends = new Set();
+  #delays = [];
 
   /** @param {"page"|"service"} place @param {{predictor: string, parameters: object}} settings @param {{state: () => void, prediction: (one: object) => void}} handlers */
   constructor(place, { predictor, parameters }, { state, prediction }) {
-    this.#connection = new PredictorConnection(predictor, { state, prediction: (one) => {
-      if (this.#ends.delete(one.t)) this.#delays = [...this.#delays, this.#connection.delayMs].slice(-MOST_DELAYS);
-      prediction(one);
-    } }, { parameters, page: place === "page", reply: "event" });
+    this.#connection = new PredictorConnection(
+      predictor,
+      {
+        state,
+        prediction: (one) => {
+          if (this.#ends.delete(one.t)) this.#delays = [...this.#delays, this.#connection.delayMs].slice(-MOST_DELAYS);
+          prediction(one);
+        },
+      },
+      { parameters, page: place === "page", reply: "event" },
+    );
   }
 
   get isOpen() {
@@ -42,9 +51,18 @@ class Side {
 
 /** Compares while its box is ticked, over two connections of its own: both then know the same movements. */
 export class Comparison {
-  #settings; #box = part("live-compare"); #shown = part("live-compared"); #text = part("live-compare-status");
-  #numbers = Object.fromEntries([...PLACES, "events", "apart"].map((of) => [of, this.#shown.querySelector(`[data-of=${of}]`)]));
-  #sides = null; #pairs = new Pairs(); #compared = ""; #began = false; #active = false;
+  #settings;
+  #box = part("live-compare");
+  #shown = part("live-compared");
+  #text = part("live-compare-status");
+  #numbers = Object.fromEntries(
+    [...PLACES, "events", "apart"].map((of) => [of, this.#shown.querySelector(`[data-of=${of}]`)]),
+  );
+  #sides = null;
+  #pairs = new Pairs();
+  #compared = "";
+  #began = false;
+  #active = false;
 
   /** @param {() => {predictor: string, parameters: object}} settings that are compared now */
   constructor(settings) {
@@ -102,10 +120,13 @@ export class Comparison {
     this.#compared = JSON.stringify(settings);
     if (settings.predictor === "") return;
     [this.#pairs, this.#began] = [new Pairs(), false];
-    const sides = PLACES.map((place, i) => new Side(place, settings, {
-      prediction: (one) => sides === this.#sides && this.#pairs.add(i, one),
-      state: () => this.#began && this.#sides?.some((side) => !side.isOpen) && this.#begin(), // a new session knows nothing
-    }));
+    const sides = PLACES.map(
+      (place, i) =>
+        new Side(place, settings, {
+          prediction: (one) => sides === this.#sides && this.#pairs.add(i, one),
+          state: () => this.#began && this.#sides?.some((side) => !side.isOpen) && this.#begin(), // a new session knows nothing
+        }),
+    );
     this.#sides = sides;
   }
 
@@ -117,4 +138,5 @@ export class Comparison {
 }
 
 /** The largest distance in words: its first digit counts. */
-const apart = (px) => px === Infinity ? "one missing" : px === 0 ? "0" : px < 0.001 ? px.toExponential(0) : number(px, 3);
+const apart = (px) =>
+  px === Infinity ? "one missing" : px === 0 ? "0" : px < 0.001 ? px.toExponential(0) : number(px, 3);

@@ -1,6 +1,6 @@
 // What the live view shows while nobody moves: a simulated movement and its predictions.
 
-import { NEAR_PX, Movement } from "./movement.js";
+import { Movement, NEAR_PX } from "./movement.js";
 import { requestTakes } from "./takes.js";
 import { contains } from "./tiles.js";
 
@@ -14,7 +14,12 @@ const RETRY_MS = 2000;
 
 /** Simulated movements, one after another; they are requested again when the scene changes. */
 export class Demo {
-  #takes = []; #scene = ""; #stop = null; #began = null; #index = 0; #failedAt = -Infinity;
+  #takes = [];
+  #scene = "";
+  #stop = null;
+  #began = null;
+  #index = 0;
+  #failedAt = -Infinity;
 
   /**
    * Requests the movements unless they are there. @param {number} now ms
@@ -27,10 +32,16 @@ export class Demo {
     this.#scene = text;
     const stop = (this.#stop = new AbortController());
     const current = (handle) => (value) => this.#stop === stop && handle(value);
-    requestTakes(scene, current((take) => this.#takes.push(take)), stop.signal).catch(current(() => {
-      this.#failedAt = performance.now(); // the page shows nothing here, and tries again
-      if (this.#takes.length === 0) this.#scene = "";
-    }));
+    requestTakes(
+      scene,
+      current((take) => this.#takes.push(take)),
+      stop.signal,
+    ).catch(
+      current(() => {
+        this.#failedAt = performance.now(); // the page shows nothing here, and tries again
+        if (this.#takes.length === 0) this.#scene = "";
+      }),
+    );
   }
 
   /** Closes the connection; the movements so far stay. */
@@ -72,7 +83,8 @@ export class Demo {
 
 /** The event at half of the distance, or the next one at which a tile is proposed before the pointer is near its end. */
 function middleOf({ rows, proposals }) {
-  const [, endX, endY] = rows.at(-1), distances = rows.map(([, x, y]) => Math.hypot(x - endX, y - endY));
+  const [, endX, endY] = rows.at(-1),
+    distances = rows.map(([, x, y]) => Math.hypot(x - endX, y - endY));
   const half = distances.findIndex((px) => px < distances[0] / 2);
   const proposed = proposals.findIndex((id, i) => i >= half && id !== null);
   return proposed < 0 || distances[proposed] < NEAR_PX / 2 ? half : proposed;
@@ -80,7 +92,8 @@ function middleOf({ rows, proposals }) {
 
 /** How early the end of a take was predicted, and how long before the pointer entered its tile it was proposed, s. */
 export function judge({ rows, answers, proposals, tile: id }, predictor, tiles) {
-  const movement = new Movement(), offset = answers[0].t - rows[0][0];
+  const movement = new Movement(),
+    offset = answers[0].t - rows[0][0];
   movement.move(rows);
   for (const answer of answers) movement.addPrediction(0, { ...answer, t: answer.t - offset }, predictor);
   const tile = tiles.find((one) => one.id === id);

@@ -31,7 +31,7 @@ export class RecentLeads {
  * @param {RecentLeads} recent @param {string} who "you", or what moved
  */
 export function describe(verdict, predictors, tile, recent, who = "you") {
-  const tileLead = tile === null ? null : tile.lead_s ?? 0;
+  const tileLead = tile === null ? null : (tile.lead_s ?? 0);
   const tileAverage = tile === null ? null : recent.add(TILES, tileLead);
   const each = predictors.map((chosen, i) => {
     const { name = chosen, lead_s = null } = verdict.predictors[i] ?? {};
@@ -41,7 +41,8 @@ export function describe(verdict, predictors, tile, recent, who = "you") {
     const end = endpointText(verdict, one, who) + averageText(one.average_s, recent.count(one.name));
     return `${each.length > 1 ? `Endpoint, ${one.name}` : "Endpoint"}: ${end}.`;
   });
-  if (tile !== null) sentences.unshift(`${tileText(tile.lead_s, who)}${averageText(tileAverage, recent.count(TILES))}.`);
+  if (tile !== null)
+    sentences.unshift(`${tileText(tile.lead_s, who)}${averageText(tileAverage, recent.count(TILES))}.`);
   return { text: sentences.join(" "), each, tile: tile === null ? null : { lead_s: tileLead, average_s: tileAverage } };
 }
 
@@ -53,7 +54,10 @@ function endpointText({ arrival, reached }, { lead_s: lead }, who) {
 
 function tileText(lead, who) {
   const arrival = `${who} ${who === "you" ? "were" : "was"} there`;
-  return lead !== null && lead > 0 ? `Tile: proposed ${ms(lead)} before ${arrival}` : `Tile: not proposed before ${arrival}`;
+  return lead !== null && lead > 0
+    ? `Tile: proposed ${ms(lead)} before ${arrival}`
+    : `Tile: not proposed before ${arrival}`;
 }
 
-const averageText = (average, count) => (!average ? "" : `; average of the last ${count === LAST ? "ten" : count}: ${ms(average)}`);
+const averageText = (average, count) =>
+  !average ? "" : `; average of the last ${count === LAST ? "ten" : count}: ${ms(average)}`;

@@ -19,7 +19,9 @@ export const NEAR_PX = 40;
 
 /** Collects one movement at a time; a pause of 0.3 s or a press ends it. */
 export class Movement {
-  #rows = []; #predictions = []; #end = Infinity;
+  #rows = [];
+  #predictions = [];
+  #end = Infinity;
 
   /** @param {number[][]} rows events [t, x, y, ...] in the order of time */
   move(rows) {
@@ -62,7 +64,11 @@ export class Movement {
       const name = during[during.length - 1]?.[3];
       const silent = !during.some(([, x]) => x !== null) || arrival - during[during.length - 1][0] > PAUSE_S;
       if (silent) return { name, lead_s: null }; // a connection lost on the way is not judged
-      const near = nearSince(during.filter((one) => one[3] === name), end, NEAR_PX);
+      const near = nearSince(
+        during.filter((one) => one[3] === name),
+        end,
+        NEAR_PX,
+      );
       return { name, lead_s: near !== null && near < reached ? arrival - near : 0 };
     });
     return { distance, arrival, reached, predictors };
@@ -86,8 +92,12 @@ export function speed(trail, now, over = 0.05) {
   const first = trail.findIndex(([t]) => t >= now - over);
   if (first < 0) return 0;
   const before = trail[first - 1];
-  const recent = before !== undefined && trail[first][0] - before[0] <= STILL_S ? trail.slice(first - 1) : trail.slice(first);
-  const path = recent.reduce((sum, [, x, y], i) => sum + (i ? Math.hypot(x - recent[i - 1][1], y - recent[i - 1][2]) : 0), 0);
+  const recent =
+    before !== undefined && trail[first][0] - before[0] <= STILL_S ? trail.slice(first - 1) : trail.slice(first);
+  const path = recent.reduce(
+    (sum, [, x, y], i) => sum + (i ? Math.hypot(x - recent[i - 1][1], y - recent[i - 1][2]) : 0),
+    0,
+  );
   const time = recent[recent.length - 1][0] - recent[0][0];
   return time > 0 ? path / time : 0;
 }

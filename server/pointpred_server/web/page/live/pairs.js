@@ -11,7 +11,8 @@ export class Pairs {
     this.#waiting[which].push(prediction);
     const [first, second] = this.#waiting;
     while (first.length && second.length) {
-      const { t: before } = first[0], { t: after } = second[0];
+      const { t: before } = first[0],
+        { t: after } = second[0];
       if (before === after) this.#compare(first.shift(), second.shift());
       else (before < after ? first : second).shift(); // one session has dropped this event
     }

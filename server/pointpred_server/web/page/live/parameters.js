@@ -17,12 +17,14 @@ export function rangeOf({ low, high, default: initial }) {
     const [from, to] = [Math.max(low, initial / SPAN), Math.min(high, initial * SPAN)];
     return { from, to, log: to / from > WIDE };
   }
-  if (initial < 0 && high - low > WIDE * -initial) return { from: Math.max(low, 3 * initial), to: Math.min(high, -3 * initial), log: false };
+  if (initial < 0 && high - low > WIDE * -initial)
+    return { from: Math.max(low, 3 * initial), to: Math.min(high, -3 * initial), log: false };
   return { from: low, to: high, log: false };
 }
 
 /** Whether the service takes only whole numbers. */
-const isInteger = ({ unit, low, high, default: initial }) => unit === "" && high <= 1000 && [low, high, initial].every(Number.isInteger);
+const isInteger = ({ unit, low, high, default: initial }) =>
+  unit === "" && high <= 1000 && [low, high, initial].every(Number.isInteger);
 
 /** The value at a position of the slider, 0 to 1, with three significant digits. */
 function valueAt({ from, to, log }, position, step) {
@@ -31,12 +33,20 @@ function valueAt({ from, to, log }, position, step) {
 }
 
 const positionOf = ({ from, to, log }, value) =>
-  Math.max(0, Math.min(1, log ? Math.log(Math.max(value, from) / from) / Math.log(to / from) : (value - from) / (to - from)));
+  Math.max(
+    0,
+    Math.min(1, log ? Math.log(Math.max(value, from) / from) / Math.log(to / from) : (value - from) / (to - from)),
+  );
 
 /** The sliders of one predictor inside a `details` element. */
 export class Parameters {
   /** The changed ones, by name. @type {Object<string, number>} */ values = {};
-  #box; #message; #list; #onChange; #timer = null; #controls = new Map();
+  #box;
+  #message;
+  #list;
+  #onChange;
+  #timer = null;
+  #controls = new Map();
 
   /** @param {HTMLDetailsElement} box @param {() => void} onChange is called shortly after `values` has changed */
   constructor(box, onChange) {
@@ -55,7 +65,10 @@ export class Parameters {
     const settable = (predictor?.parameters ?? []).filter(({ default: initial }) => typeof initial === "number");
     const predictorOwn = settable.filter(({ name, of }) => of === "predictor" && name !== "dpi");
     const differentiator = settable.filter(({ name, of }) => of !== "predictor" && name !== "dpi");
-    this.#list.replaceChildren(...group("Predictor", predictorOwn, (one) => this.#slider(one)), ...group("Differentiator (speed from positions)", differentiator, (one) => this.#slider(one)));
+    this.#list.replaceChildren(
+      ...group("Predictor", predictorOwn, (one) => this.#slider(one)),
+      ...group("Differentiator (speed from positions)", differentiator, (one) => this.#slider(one)),
+    );
     this.#write("");
   }
 
@@ -76,13 +89,24 @@ export class Parameters {
   /** Writes a message below the sliders and marks the field that it is about. @param {string} message @param {string} path of the field */
   #write(message, path = "") {
     write(this.#message, message);
-    for (const [name, { field }] of this.#controls) field.setAttribute("aria-invalid", String(path.endsWith(`.${name}`)));
+    for (const [name, { field }] of this.#controls)
+      field.setAttribute("aria-invalid", String(path.endsWith(`.${name}`)));
   }
 
   #slider(parameter) {
-    const { name, unit, meaning, low, high } = parameter, range = rangeOf(parameter), step = isInteger(parameter) ? 1 : "any";
-    const label = document.createElement("label"), slider = document.createElement("input"), field = document.createElement("input");
-    Object.assign(slider, { type: "range", min: "0", max: "1", step: step === 1 ? String(1 / (range.to - range.from)) : String(1 / STEPS), title: meaning });
+    const { name, unit, meaning, low, high } = parameter,
+      range = rangeOf(parameter),
+      step = isInteger(parameter) ? 1 : "any";
+    const label = document.createElement("label"),
+      slider = document.createElement("input"),
+      field = document.createElement("input");
+    Object.assign(slider, {
+      type: "range",
+      min: "0",
+      max: "1",
+      step: step === 1 ? String(1 / (range.to - range.from)) : String(1 / STEPS),
+      title: meaning,
+    });
     Object.assign(field, { type: "number", min: String(low), max: String(high), step: String(step), name });
     slider.setAttribute("aria-label", `${name}, slider`);
     field.setAttribute("aria-label", unit ? `${name}, ${unit}` : name);
@@ -95,13 +119,15 @@ export class Parameters {
       this.#set(name, Number(field.value));
     });
     field.addEventListener("change", () => {
-      if (!field.validity.valid || field.value === "") return this.#write(`${name} must be a number from ${low} to ${high}.`, `.${name}`);
+      if (!field.validity.valid || field.value === "")
+        return this.#write(`${name} must be a number from ${low} to ${high}.`, `.${name}`);
       slider.value = String(positionOf(range, Number(field.value)));
       this.#set(name, Number(field.value));
     });
     setValue(parameter.default);
     this.#controls.set(name, { parameter, setValue, field });
-    const title = document.createElement("span"), small = document.createElement("small");
+    const title = document.createElement("span"),
+      small = document.createElement("small");
     title.append(unit ? `${name}, ${unit}` : name);
     small.append(meaning);
     label.append(title, slider, field, small);

@@ -1,7 +1,7 @@
 // The live picture: tiles, the trail, the predicted endpoints and their regions.
 
 import { clearCanvas, colours } from "../drawing/canvas.js";
-import { MARKS, clamp, disc, drawEndpoint, label, line, tile } from "../drawing/marks.js";
+import { clamp, disc, drawEndpoint, label, line, MARKS, tile } from "../drawing/marks.js";
 import { drawRegions } from "../drawing/regions.js";
 import { number } from "../shell/numbers.js";
 
@@ -17,7 +17,13 @@ const PAUSE_S = 0.3; // no line is drawn across a longer pause
  */
 
 /** The part of a trail that is recent enough to draw; all of it if the pointer has rested since. @param {number[][]} trail [t s, x, y] @param {number} now s */
-export const recentPart = (trail, now) => trail.slice(Math.max(0, trail.findIndex(([t]) => t > now - KEPT_S)));
+export const recentPart = (trail, now) =>
+  trail.slice(
+    Math.max(
+      0,
+      trail.findIndex(([t]) => t > now - KEPT_S),
+    ),
+  );
 
 function drawTrail(pen, trail, now, colour) {
   const points = trail.filter(([t]) => now - t < VISIBLE_S);
@@ -44,7 +50,8 @@ export function drawLive(canvas, trail, marks, now, tiles, colour = "past") {
   const { endpoint, none, [colour]: trailColour } = colours();
   for (const one of tiles.list) tile(pen, one, endpoint, none, tiles.opacities[one.id] ?? 0, one.id === tiles.proposed);
   const shown = marks.flatMap((mark, which) => (mark === null ? [] : [{ ...mark, which }]));
-  for (const { which, regions, opacity, outlines } of shown) drawRegions(pen, regions, MARKS[which], width, height, opacity, outlines);
+  for (const { which, regions, opacity, outlines } of shown)
+    drawRegions(pen, regions, MARKS[which], width, height, opacity, outlines);
   drawTrail(pen, trail, now, trailColour);
   const from = trail[trail.length - 1]?.slice(1);
   pen.save();

@@ -1,8 +1,8 @@
 // A prediction as it is drawn and written: it fades when no newer one comes.
 
+import { isVisible, outlinesOf } from "../drawing/regions.js";
 import { write } from "../shell/elements.js";
 import { number } from "../shell/numbers.js";
-import { isVisible, outlinesOf } from "../drawing/regions.js";
 
 const GONE_MS = 200; // a prediction is drawn for this long
 const FADE_MS = 80;
@@ -28,11 +28,15 @@ function sizeOf({ regions }, { clientWidth, clientHeight }, scale) {
 
 /** The fields that show phase, time left and region of a prediction. */
 export class PredictionFields {
-  #phase; #left; #region;
+  #phase;
+  #left;
+  #region;
 
   /** @param {Element} container of elements with the attribute data-of */
   constructor(container) {
-    [this.#phase, this.#left, this.#region] = ["phase", "left", "region"].map((of) => container.querySelector(`[data-of=${of}]`));
+    [this.#phase, this.#left, this.#region] = ["phase", "left", "region"].map((of) =>
+      container.querySelector(`[data-of=${of}]`),
+    );
   }
 
   /** @param {import("./picture.js").Mark|null} mark */

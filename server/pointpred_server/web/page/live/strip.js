@@ -2,7 +2,7 @@
 
 import { colours } from "../drawing/canvas.js";
 import { drawPhase } from "../drawing/marks.js";
-import { Plot, axis } from "../drawing/plot.js";
+import { axis, Plot } from "../drawing/plot.js";
 
 const WINDOW_S = 5;
 const LOWEST_TOP = 1000; // px/s
@@ -23,20 +23,25 @@ export function phaseIntervals(samples) {
 /** A rolling plot; times are ms of the page's clock. */
 export class SpeedStrip {
   #samples = []; // [ms, px/s, phase]
-  #plot; #now = 0;
+  #plot;
+  #now = 0;
 
   /** @param {HTMLElement} box of fixed height */
   constructor(box) {
-    this.#plot = new Plot(box, {
-      padding: [10, 20, 0, 0],
-      scales: { x: { time: false, range: () => [-WINDOW_S, 0] }, y: { range: () => [0, this.#top()] } },
-      axes: [
-        axis({ values: (_, marks) => marks.map((mark) => (mark === 0 ? "now" : `${mark} s`)), incrs: [1], size: 26 }),
-        axis({ size: 62, space: 28 }),
-      ],
-      series: [{}, { stroke: () => colours().past, width: 2, points: { show: false } }],
-      hooks: { drawClear: [(plot) => this.#drawPhases(plot)] },
-    }, [[], []]);
+    this.#plot = new Plot(
+      box,
+      {
+        padding: [10, 20, 0, 0],
+        scales: { x: { time: false, range: () => [-WINDOW_S, 0] }, y: { range: () => [0, this.#top()] } },
+        axes: [
+          axis({ values: (_, marks) => marks.map((mark) => (mark === 0 ? "now" : `${mark} s`)), incrs: [1], size: 26 }),
+          axis({ size: 62, space: 28 }),
+        ],
+        series: [{}, { stroke: () => colours().past, width: 2, points: { show: false } }],
+        hooks: { drawClear: [(plot) => this.#drawPhases(plot)] },
+      },
+      [[], []],
+    );
   }
 
   /** Adds a sample of the speed, px/s, and the phase. */

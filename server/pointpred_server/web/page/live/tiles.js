@@ -8,20 +8,27 @@ const EDGE_PX = 22;
 
 /** The tiles of a picture of this size, side by side at its lower edge. @returns {import("../../lib/pointpred.js").Target[]} */
 export function row(width, height) {
-  const step = width / COUNT, tileWidth = Math.round(0.62 * step);
+  const step = width / COUNT,
+    tileWidth = Math.round(0.62 * step);
   return Array.from({ length: COUNT }, (_, i) => ({
-    id: `tile-${i + 1}`, x: Math.round((i + 0.5) * step - tileWidth / 2), y: Math.round(height - HEIGHT_PX - EDGE_PX), width: tileWidth, height: HEIGHT_PX,
+    id: `tile-${i + 1}`,
+    x: Math.round((i + 0.5) * step - tileWidth / 2),
+    y: Math.round(height - HEIGHT_PX - EDGE_PX),
+    width: tileWidth,
+    height: HEIGHT_PX,
   }));
 }
 
 /** Whether a point lies on a tile. @param {import("../../lib/pointpred.js").Target} tile */
-export const contains = (tile, x, y) => x >= tile.x && x <= tile.x + tile.width && y >= tile.y && y <= tile.y + tile.height;
+export const contains = (tile, x, y) =>
+  x >= tile.x && x <= tile.x + tile.width && y >= tile.y && y <= tile.y + tile.height;
 
 /**
  * The opacity of each tile: its probability, faded with the prediction that it comes from.
  * @param {Object<string, number>} probabilities by id @param {import("./picture.js").Mark|null} mark
  */
-export const opacitiesOf = (probabilities, mark) => Object.fromEntries(Object.entries(probabilities).map(([id, p]) => [id, p * (mark?.opacity ?? 0)]));
+export const opacitiesOf = (probabilities, mark) =>
+  Object.fromEntries(Object.entries(probabilities).map(([id, p]) => [id, p * (mark?.opacity ?? 0)]));
 
 /** The id of what is predicted after a choice, given what was before; null: none. */
 export function proposedAfter(before, { id, action, reason }) {

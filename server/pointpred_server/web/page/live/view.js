@@ -3,20 +3,20 @@
 import { FrameLoop, prefersLessMotion } from "../drawing/canvas.js";
 import { drawLegends } from "../drawing/legend.js";
 import { SmoothRegions } from "../drawing/regions.js";
+import { predictors } from "../service/listing.js";
 import { part, write } from "../shell/elements.js";
 import { explainPredictors } from "../shell/glossary.js";
 import { accountOf, median, number } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
-import { predictors } from "../service/listing.js";
 import { LiveCard } from "./card.js";
 import { Comparison } from "./comparison.js";
 import { Demo, judge } from "./demo.js";
-import { RecentLeads, describe } from "./earliness.js";
+import { describe, RecentLeads } from "./earliness.js";
 import { Movement, speed } from "./movement.js";
-import { KEPT_S, drawLive, recentPart } from "./picture.js";
+import { drawLive, KEPT_S, recentPart } from "./picture.js";
 import { markOf, publishDrawn, publishRegions } from "./prediction.js";
 import { SpeedStrip } from "./strip.js";
-import { Tiles, opacitiesOf } from "./tiles.js";
+import { opacitiesOf, Tiles } from "./tiles.js";
 
 const INVITE_MS = 4000;
 const NUMBERS_MS = 120;
@@ -28,7 +28,9 @@ const canvas = part("live-scene");
 const invitation = part("live-invitation");
 const verdict = part("live-verdict");
 const ledger = part("live-ledger");
-const numbers = Object.fromEntries(["delay", "rate", "speed"].map((of) => [of, part("live-numbers").querySelector(`[data-of=${of}]`)]));
+const numbers = Object.fromEntries(
+  ["delay", "rate", "speed"].map((of) => [of, part("live-numbers").querySelector(`[data-of=${of}]`)]),
+);
 
 const loop = new FrameLoop(frame);
 const demo = new Demo();
@@ -36,11 +38,19 @@ const demoRegions = new SmoothRegions();
 const movement = new Movement();
 const recentLeads = new RecentLeads();
 const tiles = new Tiles();
-const first = new LiveCard(part("live-card-0"), part("live-parameters-0"), (prediction, name) => {
-  movement.addPrediction(0, prediction, name);
-  tiles.addPrediction(prediction);
-}, { choice: (choice) => tiles.addChoice(choice) }, { encoding: "json" }); // packed predictions have no probabilities of targets
-const second = new LiveCard(part("live-card-1"), part("live-parameters-1"), (prediction, name) => movement.addPrediction(1, prediction, name));
+const first = new LiveCard(
+  part("live-card-0"),
+  part("live-parameters-0"),
+  (prediction, name) => {
+    movement.addPrediction(0, prediction, name);
+    tiles.addPrediction(prediction);
+  },
+  { choice: (choice) => tiles.addChoice(choice) },
+  { encoding: "json" },
+); // packed predictions have no probabilities of targets
+const second = new LiveCard(part("live-card-1"), part("live-parameters-1"), (prediction, name) =>
+  movement.addPrediction(1, prediction, name),
+);
 const cards = [first, second];
 const comparison = new Comparison(() => ({ predictor: first.select.value, parameters: first.parameters.values }));
 
@@ -105,9 +115,14 @@ function showPointer(now) {
   demo.pause();
   if (ownVerdict !== null) write(verdict, ownVerdict);
   ownVerdict = null;
-  const seconds = performance.now() / 1000, marks = cards.map((card) => card.mark(now));
+  const seconds = performance.now() / 1000,
+    marks = cards.map((card) => card.mark(now));
   const { list, probabilities, proposed } = tiles;
-  const endpoints = drawLive(canvas, trail, marks, seconds, { list, opacities: opacitiesOf(probabilities, marks[0]), proposed });
+  const endpoints = drawLive(canvas, trail, marks, seconds, {
+    list,
+    opacities: opacitiesOf(probabilities, marks[0]),
+    proposed,
+  });
   publish("pointer", proposed, endpoints);
   if (!judged && now - movedAt > STOPPED_MS) judgeMovement();
   return { marks, speed: speed(trail, seconds), rate: null, delay: null };
@@ -115,19 +130,35 @@ function showPointer(now) {
 
 /** Shows a simulated movement; it counts in no average of the person's own. */
 function showDemo(now) {
-  const { clientWidth: width, clientHeight: height } = canvas, still = prefersLessMotion();
-  if (first.select.value) demo.request(now, { predictor: first.select.value, parameters: first.parameters.values, tiles: tiles.list, width, height });
+  const { clientWidth: width, clientHeight: height } = canvas,
+    still = prefersLessMotion();
+  if (first.select.value)
+    demo.request(now, {
+      predictor: first.select.value,
+      parameters: first.parameters.values,
+      tiles: tiles.list,
+      width,
+      height,
+    });
   const moment = demo.at(now, still);
   if (moment === null) {
     drawLive(canvas, [], [], 0, { list: tiles.list, opacities: {}, proposed: null });
     publish("nothing", null, 0);
     return { marks: [null, null], speed: 0 };
   }
-  const { take, event, time } = moment, ended = time > take.rows[event][0] + DEMO_END_S && event === take.rows.length - 1;
+  const { take, event, time } = moment,
+    ended = time > take.rows[event][0] + DEMO_END_S && event === take.rows.length - 1;
   const answer = take.answers[event];
   const marks = [markOf(answer, demoRegions, now, ended ? 0 : 1, still), null];
   const opacities = opacitiesOf(Object.fromEntries((answer.targets ?? []).map(({ id, p }) => [id, p])), marks[0]);
-  drawLive(canvas, take.rows.slice(0, event + 1), marks, time, { list: tiles.list, opacities, proposed: take.proposals[event] }, "none");
+  drawLive(
+    canvas,
+    take.rows.slice(0, event + 1),
+    marks,
+    time,
+    { list: tiles.list, opacities, proposed: take.proposals[event] },
+    "none",
+  );
   publish("demo", take.proposals[event], 0);
   if (ended || still) judgeDemo(take);
   const rate = take.rows.filter(([t]) => t <= time && t > time - 1).length;
@@ -154,14 +185,20 @@ function writeNumbers(now, { marks, speed: pace, rate, delay }) {
 /** Writes how early the end of the person's movement was predicted. */
 function judgeMovement() {
   judged = true;
-  const result = movement.verdict(), tile = clickedTile;
+  const result = movement.verdict(),
+    tile = clickedTile;
   movement.clear();
   clickedTile = null;
   if (result === null) return;
   const chosen = cards.flatMap(({ connection }) => (connection === null ? [] : [connection.predictor]));
   const description = describe(result, chosen, tile, recentLeads);
   write(verdict, description.text);
-  verdict.dataset.verdict = JSON.stringify({ arrival: result.arrival, reached: result.reached, each: description.each, tile: description.tile });
+  verdict.dataset.verdict = JSON.stringify({
+    arrival: result.arrival,
+    reached: result.reached,
+    each: description.each,
+    tile: description.tile,
+  });
 }
 
 function judgeDemo(take) {

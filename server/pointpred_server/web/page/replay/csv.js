@@ -24,7 +24,9 @@ class FileError extends Error {
 /** The cells of a line; a cell may be quoted, with quotes doubled inside. */
 function cells(text) {
   if (!text.includes('"')) return text.split(",");
-  return [...text.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(([, quoted, plain]) => quoted?.replaceAll('""', '"') ?? plain);
+  return [...text.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(
+    ([, quoted, plain]) => quoted?.replaceAll('""', '"') ?? plain,
+  );
 }
 
 /** The header in the first line, if there is one. */
@@ -45,16 +47,21 @@ function parseHeader(line) {
 
 /** A table: the header, the names of the columns, and rows of cells. */
 export function parse(text) {
-  const lines = text.replace(/^\uFEFF/, "").split(/\r?\n/).filter((line) => line.trim() !== "");
+  const lines = text
+    .replace(/^\uFEFF/, "")
+    .split(/\r?\n/)
+    .filter((line) => line.trim() !== "");
   const header = parseHeader(lines[0]);
   if (lines[0]?.startsWith(MARK)) lines.shift();
   const columns = cells(lines.shift() ?? "").map((name) => name.trim());
   const rows = lines.map((line, i) => {
     const row = cells(line);
-    if (row.length !== columns.length) throw new FileError("bad_row", `row ${i} has ${row.length} cells, expected ${columns.length}`);
+    if (row.length !== columns.length)
+      throw new FileError("bad_row", `row ${i} has ${row.length} cells, expected ${columns.length}`);
     return row;
   });
-  if (header.rows !== undefined && header.rows !== rows.length) throw new FileError("wrong_count", `${rows.length} rows, but its header says ${header.rows}`);
+  if (header.rows !== undefined && header.rows !== rows.length)
+    throw new FileError("wrong_count", `${rows.length} rows, but its header says ${header.rows}`);
   return { header, columns, rows };
 }
 
@@ -76,7 +83,8 @@ function problemWith({ rows }) {
   if (rows.length < 2) return "it has fewer than two rows";
   for (const [i, row] of rows.entries()) {
     const bad = [0, 1, 2].find((at) => row[at] === null || !Number.isFinite(row[at]));
-    if (bad !== undefined) return `${REQUIRED[2 + bad]} in its row ${i} is ${row[bad] === null ? "empty" : "not a finite number"}`;
+    if (bad !== undefined)
+      return `${REQUIRED[2 + bad]} in its row ${i} is ${row[bad] === null ? "empty" : "not a finite number"}`;
     if (i > 0 && row[0] < rows[i - 1][0]) return `the time decreases at its row ${i}`;
   }
   return null;
@@ -85,12 +93,17 @@ function problemWith({ rows }) {
 /** The movements in a table of samples, with rows as the service takes them; those that cannot be shown are counted. */
 function movementsIn({ columns, rows }, targets) {
   const missing = REQUIRED.find((name) => !columns.includes(name));
-  if (missing) throw new FileError("no_column", `the column ${missing} is missing; its columns are ${columns.slice(0, 8).join(", ").slice(0, 80)}`);
+  if (missing)
+    throw new FileError(
+      "no_column",
+      `the column ${missing} is missing; its columns are ${columns.slice(0, 8).join(", ").slice(0, 80)}`,
+    );
   const [user, trial, ...values] = [...REQUIRED, ...OPTIONAL].map((name) => columns.indexOf(name));
   const byKey = new Map();
   for (const row of rows) {
     const key = `${row[user]}\n${row[trial]}`;
-    if (!byKey.has(key)) byKey.set(key, { user: row[user], name: row[trial], target: targets.get(key) ?? null, rows: [] });
+    if (!byKey.has(key))
+      byKey.set(key, { user: row[user], name: row[trial], target: targets.get(key) ?? null, rows: [] });
     const [t, x, y, dx, dy, buttons] = values.map((at) => numberIn(row[at]));
     byKey.get(key).rows.push([t, x, y, dx, dy, buttons ?? 0]);
   }
@@ -98,7 +111,11 @@ function movementsIn({ columns, rows }, targets) {
   const movements = all.filter((one) => problemWith(one) === null);
   const unusable = all.find((one) => problemWith(one) !== null);
   const reason = unusable === undefined ? "" : `${unusable.user} ${unusable.name}: ${problemWith(unusable)}`;
-  if (movements.length === 0) throw new FileError("no_movement", `${count(all.length, "movement")}, none of which can be shown${reason && `; ${reason}`}`);
+  if (movements.length === 0)
+    throw new FileError(
+      "no_movement",
+      `${count(all.length, "movement")}, none of which can be shown${reason && `; ${reason}`}`,
+    );
   return { movements, skipped: all.length - movements.length, reason };
 }
 
@@ -119,8 +136,13 @@ function textOf(part, { name }) {
 }
 
 async function readTable(file) {
-  if (!(await isOwnFormat(file))) throw new FileError("foreign", `${file.name} is not pointpred's own CSV; the command pointpred convert makes one of it`);
-  if (file.size > MOST_BYTES) throw new FileError("too_large", `${file.name} is larger than ${MOST_BYTES / MIB} MiB; use pointpred score`);
+  if (!(await isOwnFormat(file)))
+    throw new FileError(
+      "foreign",
+      `${file.name} is not pointpred's own CSV; the command pointpred convert makes one of it`,
+    );
+  if (file.size > MOST_BYTES)
+    throw new FileError("too_large", `${file.name} is larger than ${MOST_BYTES / MIB} MiB; use pointpred score`);
   const text = await textOf(file, file);
   return { file, ...naming(file, () => parse(text)) };
 }
@@ -128,12 +150,19 @@ async function readTable(file) {
 /** The table of samples, and the table of trials if there is one. */
 function assignRoles(tables) {
   const withColumn = (column) => tables.filter(({ columns }) => columns.includes(column));
-  const samples = withColumn("t_s"), trials = withColumn("target_x");
+  const samples = withColumn("t_s"),
+    trials = withColumn("target_x");
   const names = (some) => some.map(({ file }) => file.name).join(", ");
   const unknown = tables.filter((one) => !samples.includes(one) && !trials.includes(one));
-  if (unknown.length) throw new FileError("not_a_table", `${names(unknown)} has neither the columns of samples (${REQUIRED.join(", ")}) nor those of trials`);
+  if (unknown.length)
+    throw new FileError(
+      "not_a_table",
+      `${names(unknown)} has neither the columns of samples (${REQUIRED.join(", ")}) nor those of trials`,
+    );
   if (samples.length === 0) throw new FileError("no_samples", `${names(tables)} has trials but no samples`);
-  for (const several of [samples, trials]) if (several.length > 1) throw new FileError("several", `only one recording can be opened at a time, not ${names(several)}`);
+  for (const several of [samples, trials])
+    if (several.length > 1)
+      throw new FileError("several", `only one recording can be opened at a time, not ${names(several)}`);
   return [samples[0], trials[0]];
 }
 
@@ -141,7 +170,11 @@ function assignRoles(tables) {
 async function isOwnFormat(file) {
   const head = await textOf(file.slice(0, HEAD_BYTES), file);
   const names = cells(head.replace(/^\uFEFF/, "").split(/\r?\n/, 1)[0]).map((name) => name.trim());
-  return head.startsWith(MARK) || REQUIRED.every((name) => names.includes(name)) || ["user", "trial", "target_x"].every((name) => names.includes(name));
+  return (
+    head.startsWith(MARK) ||
+    REQUIRED.every((name) => names.includes(name)) ||
+    ["user", "trial", "target_x"].every((name) => names.includes(name))
+  );
 }
 
 /**
@@ -154,9 +187,16 @@ async function isOwnFormat(file) {
 export async function readFiles(files) {
   const [samples, trials] = assignRoles(await Promise.all(files.map(readTable)));
   const { file, header } = samples;
-  const { movements, skipped, reason } = naming(file, () => movementsIn(samples, trials ? targetsIn(trials) : new Map()));
+  const { movements, skipped, reason } = naming(file, () =>
+    movementsIn(samples, trials ? targetsIn(trials) : new Map()),
+  );
   return {
-    name: header.name ?? file.name, skipped, reason, movements,
-    dpi: header.provenance?.dpi ?? 96, cpi: header.provenance?.cpi ?? null, simulated: header.provenance?.simulated === true,
+    name: header.name ?? file.name,
+    skipped,
+    reason,
+    movements,
+    dpi: header.provenance?.dpi ?? 96,
+    cpi: header.provenance?.cpi ?? null,
+    simulated: header.provenance?.simulated === true,
   };
 }

@@ -20,10 +20,13 @@ export function acceptFiles(area, onFiles) {
   document.addEventListener("dragenter", enter);
   document.addEventListener("dragover", enter);
   document.addEventListener("dragleave", (event) => event.relatedTarget === null && area.classList.remove("over"));
-  document.addEventListener("drop", handler((event) => {
-    area.classList.remove("over");
-    onFiles([...event.dataTransfer.files]);
-  }));
+  document.addEventListener(
+    "drop",
+    handler((event) => {
+      area.classList.remove("over");
+      onFiles([...event.dataTransfer.files]);
+    }),
+  );
 }
 
 /** Refuses files that no view accepts: the browser would open them instead of the page. */

@@ -1,7 +1,7 @@
 // The errors along a recorded movement against time, below a slider over the same time.
 
 import { clearCanvas, colours } from "../drawing/canvas.js";
-import { MARKS, line } from "../drawing/marks.js";
+import { line, MARKS } from "../drawing/marks.js";
 import { errorAt } from "./picture.js";
 
 /** Margins of the plot, px: the style sheet gives the slider the same, so that both show the same time. */
@@ -21,20 +21,37 @@ const decimals = ([, step = 1]) => Math.max(0, -Math.floor(Math.log10(step) + 1e
 
 /** The grid, and the numbers beside it. */
 function drawAxes(pen, frame, duration, most) {
-  const { left, right, top, foot, x, y } = frame, { quiet, line: grid } = colours();
+  const { left, right, top, foot, x, y } = frame,
+    { quiet, line: grid } = colours();
   pen.font = "12px system-ui, sans-serif";
   pen.fillStyle = quiet;
   pen.textAlign = "right";
   pen.textBaseline = "middle";
   for (const mark of ticks(most, 3)) {
-    line(pen, [[left, y(mark)], [right, y(mark)]], grid, 1);
+    line(
+      pen,
+      [
+        [left, y(mark)],
+        [right, y(mark)],
+      ],
+      grid,
+      1,
+    );
     pen.fillText(String(mark), left - 6, y(mark));
   }
   const times = ticks(duration, Math.max(2, (right - left) / 70));
   pen.textAlign = "center";
   pen.textBaseline = "alphabetic";
   for (const mark of times) {
-    line(pen, [[x(mark), top], [x(mark), foot]], grid, 1);
+    line(
+      pen,
+      [
+        [x(mark), top],
+        [x(mark), foot],
+      ],
+      grid,
+      1,
+    );
     pen.fillText(`${mark.toFixed(decimals(times))} s`, x(mark), foot + 16);
   }
   pen.textAlign = "left";
@@ -53,16 +70,32 @@ export function drawErrors(canvas, movement, columns, now) {
   const largest = predicted.flat().reduce((most, value) => Math.max(most, value ?? 0), holdMost);
   const most = Math.min(1.5 * holdMost, 1.05 * largest); // much larger errors leave the picture
   const [left, right, top, foot] = [LEFT_PX, width - RIGHT_PX, HEAD_PX, height - FOOT_PX];
-  const x = (t) => left + (t / duration) * (right - left), y = (value) => foot - (value / most) * (foot - top);
+  const x = (t) => left + (t / duration) * (right - left),
+    y = (value) => foot - (value / most) * (foot - top);
   drawAxes(pen, { left, right, top, foot, x, y }, duration, most);
   pen.save();
   pen.beginPath();
   pen.rect(left - 2, top - 2, right - left + 4, foot - top + 4);
   pen.clip();
-  const stroke = (values, colour, dash = []) => line(pen, values.flatMap((value, k) => (value === null ? [] : [[x(movement.t[k]), y(value)]])), colour, 2, dash);
+  const stroke = (values, colour, dash = []) =>
+    line(
+      pen,
+      values.flatMap((value, k) => (value === null ? [] : [[x(movement.t[k]), y(value)]])),
+      colour,
+      2,
+      dash,
+    );
   stroke(hold, none);
   predicted.forEach((values, which) => stroke(values, markColours[MARKS[which].colour], MARKS[which].outline));
-  line(pen, [[x(now), top], [x(now), foot]], past, 2);
+  line(
+    pen,
+    [
+      [x(now), top],
+      [x(now), foot],
+    ],
+    past,
+    2,
+  );
   pen.restore();
   canvas.dataset.now = String(x(now));
 }

@@ -1,7 +1,7 @@
 // The picture of a recorded movement: its path, and what was predicted at one of its events.
 
 import { clearCanvas, colours } from "../drawing/canvas.js";
-import { MARKS, clamp, disc, drawEndpoint, line } from "../drawing/marks.js";
+import { clamp, disc, drawEndpoint, line, MARKS } from "../drawing/marks.js";
 import { drawRegions, projectRegions, regionsOf } from "../drawing/regions.js";
 import { bounds } from "../shell/numbers.js";
 
@@ -15,7 +15,8 @@ const MARGIN_PX = 22;
 /** The distance from a predicted point to where the movement ended, px; null if nothing was predicted. */
 export function errorAt(movement, column, i) {
   const last = movement.x.length - 1;
-  const x = column.x[i], y = column.y[i];
+  const x = column.x[i],
+    y = column.y[i];
   return x === null ? null : Math.hypot(x - movement.x[last], y - movement.y[last]);
 }
 
@@ -32,7 +33,10 @@ function projection(movement, width, height) {
     (width - 2 * MARGIN_PX) / (right - left + 2 * room),
     (height - 2 * MARGIN_PX) / (bottom - top + 0.6 * room),
   );
-  const place = ([x, y]) => [width / 2 + scale * (x - (left + right) / 2), height / 2 + scale * (y - (top + bottom) / 2)];
+  const place = ([x, y]) => [
+    width / 2 + scale * (x - (left + right) / 2),
+    height / 2 + scale * (y - (top + bottom) / 2),
+  ];
   return { place, scale };
 }
 
@@ -44,7 +48,9 @@ export function drawMovement(canvas, movement, columns, i) {
   const { pen, width, height } = clearCanvas(canvas);
   const { target: targetColour, future, past, none } = colours();
   const { place, scale } = projection(movement, width, height);
-  const predicted = columns.flatMap((column, which) => (column === null || column.x[i] === null ? [] : [{ column, which }]));
+  const predicted = columns.flatMap((column, which) =>
+    column === null || column.x[i] === null ? [] : [{ column, which }],
+  );
   for (const { column, which } of predicted) {
     const regions = regionsOf({ x: column.x[i], y: column.y[i], region: column.regions[i] });
     drawRegions(pen, projectRegions(regions, scale, place), MARKS[which], width, height);

@@ -4,7 +4,10 @@ import { write } from "../shell/elements.js";
 
 /** Stands at a time or plays. */
 export class Player {
-  #button; #slider; #onChange; #began = null; // when the replay began, on the clock of performance.now, ms
+  #button;
+  #slider;
+  #onChange;
+  #began = null; // when the replay began, on the clock of performance.now, ms
 
   /** @param {HTMLButtonElement} button @param {HTMLInputElement} slider in ms @param {() => void} onChange is called when the time or the state has changed */
   constructor(button, slider, onChange) {
@@ -59,7 +62,8 @@ export class Player {
 
   #advance(now) {
     if (!this.playing) return;
-    const ms = Math.max(0, now - this.#began), duration = Number(this.#slider.max);
+    const ms = Math.max(0, now - this.#began),
+      duration = Number(this.#slider.max);
     if (ms >= duration) this.#pause();
     else requestAnimationFrame((later) => this.#advance(later));
     this.seek(Math.min(ms, duration));

@@ -1,8 +1,8 @@
 // Predictions along a recorded movement: a session answers each of its events.
 
+import { connect } from "../../lib/pointpred.js";
 import { token } from "../service/http.js";
 import { inPage } from "../service/place.js";
-import { connect } from "../../lib/pointpred.js";
 
 const PART = 512; // events per message; the next message waits for the answers, so that none is dropped
 const PER_S = 10000; // that a service takes
@@ -32,7 +32,15 @@ function nextMessage(connection, name, accept) {
  */
 export async function predictionsAlong(rows, predictor, { dpi, cpi }) {
   const page = inPage();
-  const options = { page, predictor, pointer: false, token, reply: "event", screen: { dpi }, ...(cpi ? { device: { cpi } } : {}) };
+  const options = {
+    page,
+    predictor,
+    pointer: false,
+    token,
+    reply: "event",
+    screen: { dpi },
+    ...(cpi ? { device: { cpi } } : {}),
+  };
   const connection = connect(undefined, options);
   const column = { x: [], y: [], regions: [] };
   connection.on("prediction", ({ x, y, region }) => {

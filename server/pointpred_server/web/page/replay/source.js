@@ -1,8 +1,8 @@
 // Where replayed movements come from: the embedded sample, or a recording that the person has opened.
 
-import { count } from "../shell/numbers.js";
 import { hasService } from "../service/place.js";
 import { sample, samples } from "../service/samples.js";
+import { count } from "../shell/numbers.js";
 import { readFiles } from "./csv.js";
 import { predictionsAlong } from "./predictions.js";
 
@@ -12,7 +12,9 @@ import { predictionsAlong } from "./predictions.js";
  */
 
 /** Where a recording that the person opens goes. */
-const WHERE = hasService ? "It stays in this page unless you choose to predict by the service." : "It stays in this page.";
+const WHERE = hasService
+  ? "It stays in this page unless you choose to predict by the service."
+  : "It stays in this page.";
 
 /** The predictions of several predictors along the events of a movement, by their names. */
 async function predictionsOf(rows, predictors, resolution) {
@@ -25,13 +27,21 @@ export async function sampleSource() {
   const listed = await samples();
   return {
     title: "the embedded sample",
-    description: "The people in this sample are simulated: no recording of a person is included. Each prediction uses only the events before it.",
+    description:
+      "The people in this sample are simulated: no recording of a person is included. Each prediction uses only the events before it.",
     isSample: true,
     names: listed.map(({ name, events }) => `${name} (${events} events)`),
     async movement(index, predictors) {
       const { user, target, t, x, y, dx, dy, buttons, ...resolution } = await sample(listed[index].name);
       const rows = t.map((time, i) => [time, x[i], y[i], dx[i], dy[i], buttons[i]]);
-      return { target, person: `simulated person ${user}`, t, x, y, predictions: await predictionsOf(rows, predictors, resolution) };
+      return {
+        target,
+        person: `simulated person ${user}`,
+        t,
+        x,
+        y,
+        predictions: await predictionsOf(rows, predictors, resolution),
+      };
     },
   };
 }
@@ -47,8 +57,11 @@ export async function fileSource(files) {
     async movement(index, predictors) {
       const { user, target, rows } = movements[index];
       return {
-        target, person: `${simulated ? "simulated person" : "person"} ${user}`,
-        t: rows.map(([t]) => t - rows[0][0]), x: rows.map(([, x]) => x), y: rows.map(([, , y]) => y),
+        target,
+        person: `${simulated ? "simulated person" : "person"} ${user}`,
+        t: rows.map(([t]) => t - rows[0][0]),
+        x: rows.map(([, x]) => x),
+        y: rows.map(([, , y]) => y),
         predictions: await predictionsOf(rows, predictors, resolution),
       };
     },

@@ -2,18 +2,27 @@
 
 import { clearCanvas, onRepaint } from "../drawing/canvas.js";
 import { drawLegends } from "../drawing/legend.js";
-import { fillSelect, part, sentence, write } from "../shell/elements.js";
-import { number } from "../shell/numbers.js";
 import { predictors } from "../service/listing.js";
 import { hasService, inPage } from "../service/place.js";
+import { fillSelect, part, sentence, write } from "../shell/elements.js";
+import { number } from "../shell/numbers.js";
 import { acceptFiles } from "./drop.js";
 import { drawErrors } from "./errors.js";
 import { drawMovement, errorAt } from "./picture.js";
 import { Player } from "./player.js";
 import { fileSource, sampleSource } from "./source.js";
 
-const [scene, errors, previousButton, nextButton] = ["scene", "errors", "previous", "next"].map((id) => part(`replay-${id}`));
-const [list, readout, status, fileInput, sampleButton, retryButton] = ["trials", "readout", "source", "file", "sample", "retry"].map((id) => part(`replay-${id}`));
+const [scene, errors, previousButton, nextButton] = ["scene", "errors", "previous", "next"].map((id) =>
+  part(`replay-${id}`),
+);
+const [list, readout, status, fileInput, sampleButton, retryButton] = [
+  "trials",
+  "readout",
+  "source",
+  "file",
+  "sample",
+  "retry",
+].map((id) => part(`replay-${id}`));
 const selects = [0, 1].map((which) => part(`replay-predictor-${which}`));
 const player = new Player(part("replay-play"), part("replay-time"), draw);
 
@@ -69,7 +78,10 @@ function clear(text) {
 /** The event at half of the distance. */
 function halfway() {
   const distances = movement.t.map((_, i) => errorAt(movement, movement, i));
-  return Math.max(0, distances.findIndex((px) => px < distances[0] / 2));
+  return Math.max(
+    0,
+    distances.findIndex((px) => px < distances[0] / 2),
+  );
 }
 
 /** The last event at or before the time of the slider. */
@@ -80,7 +92,8 @@ function currentEvent() {
 
 function draw() {
   if (movement === null || scene.clientWidth === 0) return;
-  const event = currentEvent(), predictions = columns();
+  const event = currentEvent(),
+    predictions = columns();
   drawMovement(scene, movement, predictions, event);
   drawErrors(errors, movement, predictions, Math.min(player.ms / 1000, movement.t[movement.t.length - 1]));
   scene.dataset.event = String(event);
@@ -131,7 +144,11 @@ async function openRecording(files) {
   try {
     await changeSource(fileSource(files));
   } catch (error) {
-    showStatus(`Not opened: ${error.message}.${source === null ? "" : ` Still open: ${source.title}.`}`, "failed", error.code);
+    showStatus(
+      `Not opened: ${error.message}.${source === null ? "" : ` Still open: ${source.title}.`}`,
+      "failed",
+      error.code,
+    );
   }
 }
 
@@ -139,7 +156,10 @@ async function openSample() {
   try {
     await changeSource(sampleSource());
   } catch (error) {
-    showStatus(`The sample cannot be shown: ${sentence(error.message)}${hasService ? " Is the service still running?" : ""}`, "failed");
+    showStatus(
+      `The sample cannot be shown: ${sentence(error.message)}${hasService ? " Is the service still running?" : ""}`,
+      "failed",
+    );
   }
 }
 

@@ -1,9 +1,9 @@
 // A connection with one predictor, in the page or at the service: its newest prediction, and how long answers take.
 
+import { connect } from "../../lib/pointpred.js";
 import { median } from "../shell/numbers.js";
 import { token } from "./http.js";
 import { inPage } from "./place.js";
-import { connect } from "../../lib/pointpred.js";
 
 const PAGE_TEXTS = {
   connecting: "Loading the predictor…",
@@ -31,7 +31,8 @@ export class PredictorConnection {
   /** When `latest` was received, on the page's clock, ms. */ at = -Infinity;
   /** Predictions received. */ received = 0;
   /** The newest error. @type {string|null} */ error = null;
-  #connection; #delays = [];
+  #connection;
+  #delays = [];
 
   /**
    * @param {string} predictor

@@ -6,10 +6,22 @@ const TERMS = {
   corrective: ["corrective", "the slow part near the target, in which the hand corrects its aim"],
   skill: ["skill", "1 − error / hold: 1 is perfect, 0 no better than no prediction, below 0 worse"],
   left: ["time left", "predicted time until the movement ends"],
-  region: ["region", "where the endpoint lies with a given probability, as the predictor claims: 50 % for the tinted ellipse, 80 % for the thin one. Its size is length × breadth of the tinted one. Some predictors give no region"],
-  proposed: ["tile proposed", "the prediction is confident enough that you are heading for this tile: a program could now load what the tile opens"],
-  near: ["predicted within 40 px", "from then until you arrived, every predicted endpoint was within 40 px of where you stopped"],
-  arrived: ["arrived", "from then on the pointer stayed within 8 px of where it stopped (3 % of the distance, if that is more)"],
+  region: [
+    "region",
+    "where the endpoint lies with a given probability, as the predictor claims: 50 % for the tinted ellipse, 80 % for the thin one. Its size is length × breadth of the tinted one. Some predictors give no region",
+  ],
+  proposed: [
+    "tile proposed",
+    "the prediction is confident enough that you are heading for this tile: a program could now load what the tile opens",
+  ],
+  near: [
+    "predicted within 40 px",
+    "from then until you arrived, every predicted endpoint was within 40 px of where you stopped",
+  ],
+  arrived: [
+    "arrived",
+    "from then on the pointer stayed within 8 px of where it stopped (3 % of the distance, if that is more)",
+  ],
   delay: ["delay", "time from sending an event to receiving its prediction, median of the last second"],
   drem: ["DREM", "dynamic regressor extension and mixing: the estimator that switched uses in the corrective phase"],
   differentiator: ["differentiator", "computes speed and acceleration from positions"],

@@ -24,10 +24,13 @@ export function showOverlay() {
 }
 
 function begin() {
-  const host = document.createElement("div"), root = host.attachShadow({ mode: "open" }), sheet = new CSSStyleSheet();
+  const host = document.createElement("div"),
+    root = host.attachShadow({ mode: "open" }),
+    sheet = new CSSStyleSheet();
   sheet.replaceSync(STYLE);
   root.adoptedStyleSheets = [sheet];
-  const picture = new Picture(), panel = new Panel();
+  const picture = new Picture(),
+    panel = new Panel();
   root.append(picture.canvas, ...picture.samples, panel.element);
   host.setAttribute("aria-hidden", "true");
   document.documentElement.append(host);
@@ -51,17 +54,23 @@ function begin() {
 /** A canvas over the viewport. */
 class Picture {
   canvas = document.createElement("canvas");
-  /** Carry the colours. */ samples = ROLES.map((className) => Object.assign(document.createElement("i"), { className }));
-  #context = this.canvas.getContext("2d"); #notes = new Map();
+  /** Carry the colours. */ samples = ROLES.map((className) =>
+    Object.assign(document.createElement("i"), { className }),
+  );
+  #context = this.canvas.getContext("2d");
+  #notes = new Map();
 
   /** Writes a reason beside an element for a while. @param {import("../../index.d.ts").LedgerEntry} entry */
   note({ kind, element, reason }) {
-    if (kind === "fired" || kind === "withheld") this.#notes.set(element, { text: kind === "fired" ? reason : "withheld", until: performance.now() + NOTED_MS });
+    if (kind === "fired" || kind === "withheld")
+      this.#notes.set(element, { text: kind === "fired" ? reason : "withheld", until: performance.now() + NOTED_MS });
   }
 
   /** @param {object[]} views of the trackers */
   draw(views) {
-    const { canvas } = this, context = this.#context, ratio = devicePixelRatio;
+    const { canvas } = this,
+      context = this.#context,
+      ratio = devicePixelRatio;
     const [width, height] = [Math.round(innerWidth * ratio), Math.round(innerHeight * ratio)];
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -76,7 +85,8 @@ class Picture {
   }
 
   #drawElement({ element, row: [x, y, width, height], registrations, share }, colours) {
-    const context = this.#context, firings = [...registrations].map(({ firing }) => firing);
+    const context = this.#context,
+      firings = [...registrations].map(({ firing }) => firing);
     const state = firings.some((one) => one?.policy === "highlight") ? "lit" : firings.some(Boolean) ? "fired" : "idle";
     const [left, top] = [x - 0.5 * width, y - 0.5 * height];
     context.fillStyle = context.strokeStyle = colours[state];
@@ -87,12 +97,16 @@ class Picture {
     context.setLineDash(state === "idle" ? [4, 3] : []);
     context.strokeRect(left, top, width, height);
     context.setLineDash([]);
-    const note = this.#notes.get(element)?.text, written = share >= SHOWN ? `${Math.round(100 * share)} %` : "";
-    if (note || written) this.#label([note, written].filter(Boolean).join("  "), left, top, colours[state], colours.paper);
+    const note = this.#notes.get(element)?.text,
+      written = share >= SHOWN ? `${Math.round(100 * share)} %` : "";
+    if (note || written)
+      this.#label([note, written].filter(Boolean).join("  "), left, top, colours[state], colours.paper);
   }
 
   #label(text, left, top, colour, paper) {
-    const context = this.#context, wide = context.measureText(text).width + 8, above = Math.max(0, top - 16);
+    const context = this.#context,
+      wide = context.measureText(text).width + 8,
+      above = Math.max(0, top - 16);
     context.fillStyle = paper;
     context.fillRect(left, above, wide, 16);
     context.fillStyle = colour;
@@ -102,7 +116,8 @@ class Picture {
   #drawPrediction(cursor, answer, colour) {
     const [, x, y] = answer;
     if (!(x === x && cursor.t > 0)) return;
-    const context = this.#context, region = regionIn(answer);
+    const context = this.#context,
+      region = regionIn(answer);
     context.strokeStyle = context.fillStyle = colour;
     context.lineWidth = 1.5;
     context.beginPath();
@@ -129,10 +144,12 @@ class Picture {
 /** A table of counts above a list. */
 class Panel {
   element = document.createElement("section");
-  #numbers = new Map(); #list = document.createElement("ol");
+  #numbers = new Map();
+  #list = document.createElement("ol");
 
   constructor() {
-    const title = document.createElement("h1"), counts = document.createElement("dl");
+    const title = document.createElement("h1"),
+      counts = document.createElement("dl");
     title.textContent = "pointpred";
     for (const name of ["fired", "hit", "wasted", "withheld", "lead"]) {
       const [label, number] = [document.createElement("dt"), document.createElement("dd")];
@@ -153,8 +170,12 @@ class Panel {
 
   /** Adds an entry above the others. @param {import("../../index.d.ts").LedgerEntry} entry */
   note({ kind, name, element, reason, p, lead_s }) {
-    const item = document.createElement("li"), shown = [kind === "fired" ? reason : kind, name || element.localName,
-      lead_s === null ? `${Math.round(100 * p)} %` : `${lead_s.toFixed(2)} s`];
+    const item = document.createElement("li"),
+      shown = [
+        kind === "fired" ? reason : kind,
+        name || element.localName,
+        lead_s === null ? `${Math.round(100 * p)} %` : `${lead_s.toFixed(2)} s`,
+      ];
     item.dataset.kind = kind;
     item.append(...shown.map((text) => Object.assign(document.createElement("span"), { textContent: text })));
     this.#list.prepend(item);
