@@ -12,6 +12,7 @@ import numpy as np
 
 from pointpred.compiled import law
 from pointpred.differentiators import Differentiator
+from pointpred.errors import ParameterError
 from pointpred.person import person_of, restore
 from pointpred.predictors import Predictor
 from pointpred.predictors.mixture import Mixture
@@ -252,7 +253,10 @@ class Pipeline:
 
     @person.setter
     def person(self, person: str) -> None:
-        own, _, taken = person.partition("+") if isinstance(person, str) else (person, "", "")
+        own, plus, taken = person.partition("+") if isinstance(person, str) else (person, "", "")
+        if plus and not taken:
+            raise ParameterError("person must not end with '+'; is it cut off?", field="person")
+        restore(copy(self._aim or Aim()), taken)  # refused before anything is changed
         restore(self.predictor, own)
         if taken:
             restore(self.aim, taken)

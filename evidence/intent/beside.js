@@ -40,6 +40,26 @@ async function open() {
   for (const predictor of PREDICTORS) register(keeper, { predictor });
 }
 
+/** Hears earlier movements. @param {number[][]} rows s before now (negative), px, px, buttons */
+function learn(rows) {
+  const now = performance.now();
+  let pressed = 0;
+  for (const [t, clientX, clientY, buttons] of rows) {
+    const name = buttons > pressed ? "pointerdown" : buttons < pressed ? "pointerup" : "pointermove";
+    const event = new PointerEvent(name, {
+      isPrimary: true,
+      pointerType: "mouse",
+      bubbles: true,
+      clientX,
+      clientY,
+      buttons,
+    });
+    Object.defineProperty(event, "timeStamp", { value: now + 1000 * t });
+    document.body.dispatchEvent(event);
+    pressed = buttons;
+  }
+}
+
 /** Takes the targets away. */
 function clear() {
   stops.splice(0).forEach((stop) => stop());
@@ -83,4 +103,4 @@ function arm() {
 /** What was heard since then: times in s, positions in px. */
 const heard = () => ({ events, fired, frames, long });
 
-window.beside = { arm, show, heard, opened: open() };
+window.beside = { arm, learn, show, heard, opened: open() };

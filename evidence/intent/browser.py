@@ -3,10 +3,10 @@
 Fetches js.foresight from npm into a temporary folder, opens a page with the targets of each movement, and
 moves the mouse along it in real time through DevTools: real events, which both libraries hear at once.
 Everything that was fitted to recordings does not know the people, or for the evidence and the settings the
-group of sets. Between movements the mouse is clicked and moved to the next start, where it rests; then every
-target is armed again, so that what fires counts once a movement. Written after every layout. Recordings come
-from the folder named by POINTPRED_RECORDINGS. About two minutes a layout; the machine should have nothing
-else to do.
+group of sets. Each movement is met by a new page, which has heard the person's earlier movements, all at
+once and with their times. Then the mouse is moved to the start, where it rests, and every target is armed
+again, so that what fires counts once a movement. Written after every layout. Recordings come from the folder
+named by POINTPRED_RECORDINGS. About three minutes a layout; the machine should have nothing else to do.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ from evidence.intent.firing import score
 from evidence.intent.fit import GROUPS, Fits, fits, recorded
 from evidence.intent.measure import HEADS, RULE, cells, draw
 from evidence.intent.movements import Movement
+from evidence.intent.proposals import BETWEEN_S
 from evidence.intent.site import NpmMissingError, Site, install, site
 from pointpred import EventColumns
 from pointpred.live.devtools import Page, drive_mouse
@@ -69,16 +70,13 @@ class Player:
 
     def __init__(self, page: Page, host: Site, held: HeldOut, fitted: Fits) -> None:
         self.page, self.host, self.held, self.fitted = page, host, held, fitted
-        self.person = ("", "", "")
 
     def play(self, movement: Movement) -> Played:
-        """Play a movement; a person's first one is met by a new page."""
-        person = (movement.layout, movement.set, movement.user)
-        if person != self.person:
-            self.open(movement)
-            self.person = person
+        """Play a movement in a new page."""
+        self.open(movement)
         plain = document(movement)
         events = np.array(plain["events"])
+        self.page.evaluate(f"beside.learn({plain['earlier']})")
         self.page.evaluate(f"beside.show({plain['targets']})")
         self.settle(*events[0, 1:])
         time.sleep(REST_S)
@@ -87,7 +85,6 @@ class Player:
         drive_mouse(self.page, with_buttons(events, 0.0))
         time.sleep(3 * SETTLE_S)  # the last frame
         heard = self.page.evaluate("beside.heard()")
-        drive_mouse(self.page, clicked(events[-1]))
         return played(movement, plain["targets"], heard)
 
     def open(self, movement: Movement) -> None:
@@ -113,14 +110,6 @@ def with_buttons(events: FloatArray, buttons: float) -> EventColumns:
     """Rows of t, x, y as events."""
     rows = np.full((len(events), 6), np.nan)
     rows[:, :3], rows[:, 5] = events, buttons
-    return EventColumns(rows)
-
-
-def clicked(last: FloatArray) -> EventColumns:
-    """A press and a release where a movement ends."""
-    rows = np.full((2, 6), np.nan)
-    rows[:, :3], rows[:, 5] = last, (1.0, 0.0)
-    rows[1, 0] += SETTLE_S
     return EventColumns(rows)
 
 
@@ -154,10 +143,13 @@ def document(movement: Movement) -> dict[str, Any]:
     )
     rows = np.column_stack([events[:, 0] - events[0, 0], events[:, 1] - x, events[:, 2] - y])
     targets = np.column_stack([left - x, top - y, table[:, WIDTH], table[:, HEIGHT]])
+    begin = movement.earlier[-1, 0] + BETWEEN_S if len(movement.earlier) else 0.0
+    earlier = movement.earlier[:, [0, 1, 2, 5]] - (begin, x, y, 0.0)
     return {
         "layout": movement.layout,
         "set": movement.set,
         "user": movement.user,
+        "earlier": np.round(earlier, 4).tolist(),
         "events": np.round(rows, 4).tolist(),
         "targets": np.round(targets, 3).tolist(),
         "right": movement.right,

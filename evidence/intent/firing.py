@@ -2,7 +2,8 @@
 
 ForesightJS's rule for a mouse is a port of npm's js.foresight 4.2.1 with its defaults: a straight line
 through the last 8 positions, 120 ms ahead, meets an element's rectangle; no hit slop, each element once
-(``MousePredictor``, ``predictNextMousePosition`` and ``lineSegmentIntersectsRect`` of its source). The policy
+(``MousePredictor``, ``predictNextMousePosition`` and ``lineSegmentIntersectsRect`` of its source). The
+positions are not forgotten while the mouse rests, so each movement starts with those of its start. The policy
 runs as a page runs it: every event, a decision a frame. Chrome's Speculation Rules fetch a link after a hover
 or at the press: ``moderate`` after 200 ms, ``eager`` (since Chrome 141 on desktops) after 10 ms. Every
 movement ends with a press.
@@ -19,10 +20,12 @@ import numpy as np
 from evidence.intent.movements import Movement, inside
 from pointpred.compiled import law
 from pointpred.records import FloatArray, row_at
-from pointpred.targets import cursor, posterior, prefetch
+from pointpred.targets import cursor, heading, posterior, prefetch
 from pointpred.targets.prefetch import contact
 
 POSITIONS, AHEAD_S = 8, 0.12
+RESTED_S = 0.45
+"""How long the mouse has rested before a movement, as in the browser."""
 FRAME_S = 1.0 / 60.0
 """It looks at the last position once a frame."""
 
@@ -48,6 +51,10 @@ def fire_by_rule(events: FloatArray, table: FloatArray, frame_s: float, fired_at
     ``frame_s``: the last event of each frame is looked at, when the frame ends; 0 for every event.
     """
     kept = np.zeros((POSITIONS, 3))
+    for k in range(POSITIONS):
+        kept[k, 0] = events[0, 0] - RESTED_S
+        kept[k, 1] = events[0, 1]
+        kept[k, 2] = events[0, 2]
     count = 0
     fired_at[:] = inf
     for i in range(len(events)):
@@ -58,7 +65,7 @@ def fire_by_rule(events: FloatArray, table: FloatArray, frame_s: float, fired_at
         kept[count % POSITIONS, 1] = x
         kept[count % POSITIONS, 2] = y
         count += 1
-        first = count % POSITIONS if count >= POSITIONS else 0
+        first = count % POSITIONS
         dt = now - kept[first, 0]
         dx = AHEAD_S * (x - kept[first, 1]) / dt if dt > 0.0 else 0.0
         dy = AHEAD_S * (y - kept[first, 2]) / dt if dt > 0.0 else 0.0
@@ -81,7 +88,7 @@ def weigh(
     for i in range(len(events)):
         cursor.follow(memory, events[i, 0], events[i, 1], events[i, 2], 0.0)
         if frame_end(events, i, frame_s) < inf:
-            posterior.scores(memory, table, row_at(answers, i), coefficients, prefetch.ELSEWHERE, shares[i])
+            posterior.scores(memory, table, row_at(answers, i), coefficients, heading.ELSEWHERE, shares[i])
             posterior.normalise(shares[i])
 
 

@@ -1,10 +1,11 @@
-"""Fit the prefetch policy to recordings: ``python -m evidence intent fit``.
+"""Fit the prefetch policy to recordings: ``python -m evidence intent fit [settings]``.
 
 First the evidence, by the cases of many movements, then the policy's settings: as few firings, as many
 movements that fire before the entry and twice the median lead of ForesightJS's rule, on every layout at
 once; the layout that is worst off counts. Fitted once without each group of sets, for the measurement, and
 once to all, which is what comes with pointpred: evidence is written to pointpred/targets/coefficients.py,
-settings are printed. Recordings come from the folder named by POINTPRED_RECORDINGS.
+settings are printed. With ``settings`` the evidence stays as it was fitted last, which saves most of the
+time. Recordings come from the folder named by POINTPRED_RECORDINGS.
 """
 
 from __future__ import annotations
@@ -95,9 +96,9 @@ GROUPS = {
     "humanmovemouse": 2,
 }
 """Sets that are left out together; none has people or blocks of another."""
-START, SPREAD = (1.5, 0.7, 0.3, 0.1, 0.7, 2.5), (0.4, 0.2, 0.15, 0.1, 0.3, 0.5)
+START, SPREAD = (1.5, 0.85, 0.35, 0.15, 0.7, 2.6), (0.3, 0.2, 0.15, 0.1, 0.2, 0.5)
 """Where the search begins, and how far each setting is varied at first."""
-GENERATIONS, CHILDREN, PARENTS = 90, 24, 6
+GENERATIONS, CHILDREN, PARENTS = 45, 24, 6
 WORST = 120.0
 """How sharply the worst layout decides."""
 
@@ -235,23 +236,36 @@ def searched(worth: Callable[[FloatArray], float], start: FloatArray, spread: Fl
     return best
 
 
-def fit(everything: Sequence[Movement]) -> Fits:
-    """The fits to these movements; settings are fitted to shares by evidence that does not know the group."""
+def evidence(everything: Sequence[Movement]) -> tuple[FloatArray, list[FloatArray]]:
+    """Coefficients for all movements, and without each group."""
     groups = sorted(set(GROUPS.values()))
     apart = [coefficients([one for one in everything if GROUPS[one.set] != k], GROUPS) for k in groups]
+    return coefficients(everything, GROUPS), apart
+
+
+def fit(everything: Sequence[Movement], whole: FloatArray, apart: Sequence[FloatArray]) -> Fits:
+    """The settings for this evidence, fitted to shares that do not know the group."""
     shares = [shares_of(one, CLAIMING, apart[GROUPS[one.set]], FRAME_S) for one in everything]
 
     def without(group: int | None) -> list[float]:
         chosen = [i for i, one in enumerate(everything) if GROUPS[one.set] != group]
         return settings([everything[i] for i in chosen], [shares[i] for i in chosen])
 
-    whole = Fitted(coefficients(everything, GROUPS).tolist(), without(None))
-    return Fits(whole, [Fitted(apart[k].tolist(), without(k)) for k in groups])
+    return Fits(
+        Fitted(whole.tolist(), without(None)),
+        [Fitted(own.tolist(), without(k)) for k, own in enumerate(apart)],
+    )
 
 
-def main() -> None:
+def main(parts: Sequence[str]) -> None:
     """Fit without each group and to all."""
-    done = fit(recorded((CLAIMING, SILENT)))
+    everything = recorded((CLAIMING, SILENT))
+    if parts == ["settings"]:
+        last = fits()
+        known = np.array(last.whole.evidence), [np.array(one.evidence) for one in last.without]
+    else:
+        known = evidence(everything)
+    done = fit(everything, *known)
     write(done, file_of("intent", "fits"))
     claimed, unclaimed = np.split(np.array(done.whole.evidence), 2)
     targets_fit.put(targets_fit.named("PAGES_", claimed) | targets_fit.named("PAGES_UNCLAIMED_", unclaimed))
@@ -259,5 +273,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    parse(__doc__)
-    main()
+    main(parse(__doc__, choices=("settings",), most=1))

@@ -6,13 +6,13 @@ in text and a menu, laid so that each movement ends in one of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import msgspec
 import numpy as np
 
 from evidence.held_out import HeldOut, trained_predictors
-from evidence.intent.proposals import BETWEEN_S, LAYOUTS, LEAST_PX, placed, with_click
+from evidence.intent.proposals import BETWEEN_S, CLICK_ROWS, LAYOUTS, LEAST_PX, placed, with_click
 from pointpred import EventColumns, build, run
 from pointpred.recording import Recording
 from pointpred.records import FloatArray
@@ -38,6 +38,8 @@ class Movement(msgspec.Struct, frozen=True):
     right: int
     events: FloatArray
     """Rows of ``EventColumns`` without the click at the end."""
+    earlier: FloatArray
+    """Rows of the person's earlier movements, each ended by a click; this one begins BETWEEN_S later."""
     answers: dict[str, FloatArray]
     """Of each predictor, rows of predictions made at the events."""
 
@@ -65,7 +67,14 @@ def movements(recording: Recording, predictors: Sequence[str], held: HeldOut) ->
     """
     prepared = prepare(recording, **resolution(recording, None, None))
     parts = [prepared.events.table[a:b] for a, b in zip(prepared.offsets, prepared.offsets[1:], strict=False)]
-    answers = {name: predicted(recording, prepared, parts, name, held) for name in predictors}
+    people = sessions(prepared, parts)
+    answers = {name: predicted(recording, people, name, held) for name in predictors}
+    earlier = {
+        k: rows[:begin]
+        for own in people.values()
+        for rows in [np.vstack(list(own.values()))]
+        for k, begin in zip(own, np.cumsum([0, *map(len, own.values())])[:-1], strict=True)
+    }
     for layout, k, targets, right in pages(prepared, parts):
         movement = Movement(
             layout,
@@ -74,6 +83,7 @@ def movements(recording: Recording, predictors: Sequence[str], held: HeldOut) ->
             targets,
             right,
             parts[k],
+            earlier[k],
             {name: rows[k] for name, rows in answers.items()},
         )
         within = inside(targets[right], parts[k])
@@ -81,22 +91,30 @@ def movements(recording: Recording, predictors: Sequence[str], held: HeldOut) ->
             yield movement
 
 
+def sessions(prepared: Prepared, parts: Sequence[FloatArray]) -> dict[str, dict[int, FloatArray]]:
+    """Of each person the movements by their numbers, in turn, each ended by a click."""
+    people: dict[str, dict[int, FloatArray]] = {}
+    now: dict[str, float] = {}
+    for k, one in enumerate(prepared.trials):
+        user = one.trial.user
+        rows = with_click(parts[k], now.get(user, 0.0))
+        people.setdefault(user, {})[k] = rows
+        now[user] = rows[-1, 0] + BETWEEN_S
+    return people
+
+
 def predicted(
-    recording: Recording, prepared: Prepared, parts: Sequence[FloatArray], name: str, held: HeldOut
-) -> list[FloatArray]:
-    """What a predictor says at each event of each movement."""
+    recording: Recording, people: Mapping[str, Mapping[int, FloatArray]], name: str, held: HeldOut
+) -> dict[int, FloatArray]:
+    """What a predictor says at each event of each movement, by the movement's number."""
     unseen = held.of_people(name, recording) if name in trained_predictors() else {}
-    answers: list[FloatArray] = [np.empty((0, 10))] * len(parts)
-    for user in dict.fromkeys(one.trial.user for one in prepared.trials):
-        own = [k for k, one in enumerate(prepared.trials) if one.trial.user == user]
-        session: list[FloatArray] = []
-        for k in own:
-            session.append(with_click(parts[k], session[-1][-1, 0] + BETWEEN_S if session else 0.0))
+    answers: dict[int, FloatArray] = {}
+    for user, session in people.items():
         pipeline = unseen.get(user) or build(name, **resolution(recording, None, None))
-        rows = run(pipeline.fresh(), EventColumns(np.vstack(session))).table
-        ends = np.cumsum([len(part) for part in session])[:-1]
-        for k, part in zip(own, np.split(rows, ends), strict=True):
-            answers[k] = part[: len(parts[k])].copy()
+        rows = run(pipeline.fresh(), EventColumns(np.vstack(list(session.values())))).table
+        ends = np.cumsum([len(part) for part in session.values()])[:-1]
+        for (k, part), own in zip(session.items(), np.split(rows, ends), strict=True):
+            answers[k] = own[: len(part) - CLICK_ROWS].copy()
     return answers
 
 

@@ -152,6 +152,9 @@ def predict_people(recording: Recording, predictor: str, held: HeldOut) -> Itera
             yield list(zip(parts, np.split(answers, ends), strict=True))
 
 
+CLICK_ROWS = 2
+
+
 def with_click(rows: FloatArray, begin_s: float) -> FloatArray:
     """A movement that begins then, with a click at its end."""
     moved = rows.copy()

@@ -215,3 +215,29 @@ def test_the_person_of_a_session_can_be_asked_for_and_set() -> None:
     pages, services = both(again)
     assert_alike(pages[:-1], services[:-1])
     assert pages[-1] == [{"type": "person", "person": found[-1][0]["person"]}]
+
+
+def test_what_is_known_of_targets_goes_on_in_another_session_and_with_other_parameters() -> None:
+    told = {"type": "targets", "targets": [{"id": "a", "x": -30.0, "y": -30.0, "width": 60.0, "height": 60.0}]}
+    frames = [hello(), told, *frames_of(rows(14), 10), {"type": "reset"}, {"type": "person"}]
+    known = both(frames)[1][-1][0]["person"]
+    assert known.startswith("+")
+    later = [[t + 100.0, *rest] for t, *rest in rows(15, count=2)]
+    again = [
+        hello(person=known),
+        told,
+        *frames_of(later, 10),
+        {"type": "configure", "parameters": {"elsewhere": 0.5}},
+        *frames_of([[t + 50.0, *rest] for t, *rest in later], 10),
+        {"type": "configure", "predictor": "linear"},
+        *frames_of([[t + 90.0, *rest] for t, *rest in later], 10),
+        hello(person=f"{known}+"),
+    ]
+    assert_alike(*both(again))
+
+
+@pytest.mark.parametrize("wrong", ["1.AAAA+", "+", "+1.AAAA"])
+def test_half_a_person_is_refused_in_both(wrong: str) -> None:
+    pages, services = both([hello("kinematic-adaptive", person=wrong)])
+    assert (pages[0][0]["code"], pages[0][0]["path"]) == ("bad_field", "$.person")
+    assert (services[0][0]["code"], services[0][0]["path"]) == ("bad_field", "$.person")

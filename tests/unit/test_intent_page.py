@@ -37,12 +37,18 @@ def test_of_a_frame_the_last_event_is_seen_when_the_frame_ends() -> None:
     assert ends == pytest.approx([np.inf, np.inf, 5.025, np.inf, np.inf, 5.05])
     fired_at = np.empty(2)
     fire_by_rule(events, TARGETS, 0.025, fired_at)
-    assert fired_at[1] == pytest.approx(5.175)
+    assert fired_at[1] == pytest.approx(5.2)  # no position of the rest is among the last eight
+
+
+def test_the_rule_remembers_the_rest_before_a_movement() -> None:
+    fired_at, near = np.empty(1), table([around("near", 100.0, 0.0, 20.0)])
+    fire_by_rule(straight(), near, 0.0, fired_at)
+    assert fired_at[0] == pytest.approx(5.08)  # 70 px after 0.52 s reach 86 px; without the rest 5.01
 
 
 def test_a_score_counts_firings_with_and_without_where_the_movement_starts() -> None:
     events = straight()
-    movement = Movement("two", "set", "user", TARGETS, 1, events, {})
+    movement = Movement("two", "set", "user", TARGETS, 1, events, np.empty((0, 6)), {})
     one = score([movement], [by_rule(movement, 0.0)])
     assert (one.firings, one.elsewhere, one.before) == (2.0, 1.0, 1.0)
     assert one.lead_s == pytest.approx(0.12)
@@ -51,7 +57,7 @@ def test_a_score_counts_firings_with_and_without_where_the_movement_starts() -> 
 
 
 def test_by_the_policy_nothing_fires_where_the_movement_starts() -> None:
-    movement = Movement("two", "set", "user", TARGETS, 1, straight(), {})
+    movement = Movement("two", "set", "user", TARGETS, 1, straight(), np.empty((0, 6)), {})
     shares = np.tile([0.0, 0.97, 0.03], (31, 1))
     fired_at = by_policy(movement, shares, np.array(prefetch.FITTED), 0.0)
     assert fired_at[0] == np.inf
@@ -65,7 +71,7 @@ def test_the_fit_sees_the_firings_of_the_policy() -> None:
     for _ in range(6):
         events = np.zeros((40, 6))
         events[:, 0], events[:, 1:3] = np.arange(40) / 100, random.normal(6.0, 9.0, (40, 2)).cumsum(axis=0)
-        movements.append(Movement("eight", "set", "user", table(places), 1, events, {}))
+        movements.append(Movement("eight", "set", "user", table(places), 1, events, np.empty((0, 6)), {}))
     shares = [random.dirichlet([*[0.02] * 8, 1.0], 40) for _ in movements]
     settings, count = np.array(prefetch.FITTED), 8 * len(movements)
     fired = first_firings(chances(movements, shares), settings, count)
@@ -75,8 +81,8 @@ def test_the_fit_sees_the_firings_of_the_policy() -> None:
 
 
 def test_a_hover_fires_after_its_time_or_at_the_press_and_not_where_the_pointer_only_passes() -> None:
-    movement = Movement("two", "set", "user", TARGETS, 1, straight(), {})  # in the targets for 20 and 20 ms
-    assert by_hover(movement, 0.01) == pytest.approx([5.01, 5.29])
+    movement = Movement("two", "set", "user", TARGETS, 1, straight(), np.empty((0, 6)), {})
+    assert by_hover(movement, 0.01) == pytest.approx([5.01, 5.29])  # in each target for 20 ms
     assert by_hover(movement, 0.2) == pytest.approx([np.inf, 5.3])
 
 

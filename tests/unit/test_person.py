@@ -274,3 +274,18 @@ def test_the_digest_is_blake2b_of_what_stands_before_it() -> None:
     body = base64.urlsafe_b64decode(PERSON[2:] + "=" * (-len(PERSON[2:]) % 4))
     assert hashlib.blake2b(body[:-8], digest_size=8).digest() == body[-8:]
     assert np.array_equal(np.frombuffer(body[8:-8], "<f8"), taught().predictor.known)
+
+
+def test_a_person_of_which_half_is_damaged_changes_nothing() -> None:
+    pipeline = taught()
+    with pytest.raises(ParameterError, match="person"):
+        pipeline.person = f"{taught(2).person}+1.AAAA"
+    assert pipeline.person == PERSON
+    with pytest.raises(ParameterError, match="cut off"):
+        pipeline.person = f"{PERSON}+"
+
+
+@pytest.mark.parametrize("wrong", [None, "ab", 5])
+def test_targets_that_are_no_sequence_are_refused(wrong: object) -> None:
+    with pytest.raises(ParameterError, match="sequence of Target"):
+        build("minimum-jerk").register(wrong)  # type: ignore[arg-type]

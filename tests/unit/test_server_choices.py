@@ -176,6 +176,34 @@ def test_with_another_predictor_a_movement_begins_whatever_its_clock_says(change
     assert move(talk, reach()) == move(new, reach())
 
 
+def test_with_targets_what_is_said_of_none_of_them_counts_from_then_on() -> None:
+    talk, new = talk_of(), Talk(greet=hello("minimum-jerk", parameters={"elsewhere": 0.6}))
+    before = move(talk_of(), reach())
+    talk.say({"type": "configure", "parameters": {"elsewhere": 0.6}})
+    new.say({"type": "configure", "precision": 0.6})
+    new.say(targets(*USUAL))
+    said = move(talk, reach())
+    assert said == move(new, reach())
+    assert said != before
+
+
+def test_what_is_known_of_the_targets_goes_with_the_person() -> None:
+    talk = talk_of()
+    for start_s in (0.0, 2.0, 4.0):
+        move(talk, reach(start_s=start_s))
+        talk.say({"type": "reset"})
+    (answer,) = talk.say({"type": "person"})
+    known = answer["person"]
+    assert known.startswith("+")
+    again = Talk(greet=hello("minimum-jerk", person=known))
+    again.say({"type": "configure", "precision": 0.6})
+    again.say(targets(*USUAL))
+    move_of = [move(one, reach(start_s=6.0)) for one in (talk, again, talk_of())]
+    assert move_of[0] == move_of[1] != move_of[2]
+    talk.say({"type": "configure", "predictor": "linear"})
+    assert talk.say({"type": "person"})[0]["person"].startswith("+")
+
+
 def test_what_does_not_concern_the_proposal_keeps_it() -> None:
     talk = talk_of()
     assert choices(move(talk, reach(end=0.4)))[-1] == ("propose", "right")

@@ -8,7 +8,6 @@ from typing import Any
 
 from pointpred.differentiators import HomogeneousDifferentiator
 from pointpred.errors import ParameterError
-from pointpred.person import restore
 from pointpred.pipeline import Pipeline
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.protocol.client_messages import Hello, Setting, cpi_of, dpi_of
@@ -43,7 +42,7 @@ def pipeline_of(hello: Hello, coefficients: Mapping[str, Path] = NO_COEFFICIENTS
     except ParameterError as error:
         raise _refusal(error, _path(error, hello)) from None
     try:
-        restore(pipeline.predictor, hello.person)
+        pipeline.person = hello.person
     except ParameterError as error:
         raise _refusal(error, "$.person") from None
     return pipeline

@@ -211,7 +211,8 @@ class PredictionStream:
             if pipeline.name == self.pipeline.name and portable(pipeline.predictor):
                 restore(pipeline.predictor, person_of(self.pipeline.predictor))
             if self._aimed:
-                pipeline.aim = self.pipeline.aim
+                restore(pipeline.aim, person_of(self.pipeline.aim))
+                pipeline.register(self.tracker.targets if self.tracker else ())
             self._go_on_with(pipeline)
         if message.assist is not None and self.assistance is not None:
             before, self.assistance = self.assistance, Assistance(hello, message.assist)

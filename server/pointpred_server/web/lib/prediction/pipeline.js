@@ -3,7 +3,7 @@
 import { EVENT_FIELDS, MOTION_FIELDS } from "../laws/fields.js";
 import { EVENT_FIELD, MOTION_FIELD, ORDER } from "../laws/records.js";
 import { Aim } from "./aim.js";
-import { EventError } from "./errors.js";
+import { EventError, ParameterError } from "./errors.js";
 import { claimed, isRefused, PHASES } from "./row.js";
 import { SCREEN, sceneOf } from "./scene.js";
 import { general, quoted } from "./words.js";
@@ -248,8 +248,11 @@ export class Pipeline {
   /** Goes on with what is known of a person; for a pipeline without memory. Throws a ParameterError. @param {string} person */
   restore(person) {
     const at = typeof person === "string" ? person.indexOf("+") : -1;
+    if (at >= 0 && at === person.length - 1)
+      throw new ParameterError("person must not end with '+'; is it cut off?", { field: "person" });
+    if (at >= 0) new Aim().restore(person.slice(at + 1)); // refused before anything is changed
     this.#predictor.restore(at < 0 ? person : person.slice(0, at));
-    if (at >= 0 && at < person.length - 1) this.aim.restore(person.slice(at + 1));
+    if (at >= 0) this.aim.restore(person.slice(at + 1));
   }
 }
 

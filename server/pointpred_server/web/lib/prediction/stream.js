@@ -131,8 +131,10 @@ export class PredictionStream {
     };
     if (another || Object.keys(message.parameters ?? {}).length) {
       const pipeline = this.#inWindow(await pipelineOf(changed));
-      if (pipeline.name === this.#pipeline.name && pipeline.portable) pipeline.restore(this.#pipeline.person);
-      pipeline.aim = this.#pipeline.aim;
+      const [own, ofTargets] = this.#pipeline.person.split("+");
+      if (pipeline.name === this.#pipeline.name && pipeline.portable) pipeline.restore(own);
+      if (ofTargets) pipeline.aim.restore(ofTargets);
+      if (this.#tracker) pipeline.register(this.#tracker.targets);
       this.#goOnWith(pipeline);
     }
     this.hello = changed;
