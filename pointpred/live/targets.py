@@ -6,6 +6,7 @@ import csv
 import io
 from collections.abc import Hashable, Mapping
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
@@ -38,12 +39,16 @@ def read_targets(file: Path) -> tuple[Rectangle, ...]:
 
 
 def _of_json(text: str) -> tuple[Rectangle, ...]:
-    return msgspec.json.decode(text, type=tuple[Rectangle, ...])
+    objects = msgspec.json.decode(text, type=list[dict[str, Any]])
+    named = [one | {"id": str(one["id"])} if isinstance(one.get("id"), int) else one for one in objects]
+    return msgspec.convert(named, tuple[Rectangle, ...])
 
 
 def _of_csv(text: str) -> tuple[Rectangle, ...]:
-    """A target a row; an empty cell is none."""
-    rows = csv.DictReader(io.StringIO(text, newline=""), strict=True)
+    """A target a row; an empty cell is none. Cells are parted by what parts the names of the columns."""
+    head = text.partition("\n")[0]
+    delimiter = max(",;\t", key=head.count)
+    rows = csv.DictReader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
     targets = []
     for row in rows:
         if None in row or None in row.values():

@@ -100,8 +100,8 @@ def holder(table: FloatTable, x: float, y: float) -> int:
 def table(targets: Sequence[Target]) -> FloatArray:
     """The targets as a table, a row each.
 
-    Raises ParameterError for what is no sequence, more than MOST_TARGETS, an id that occurs twice, is ``None`` or cannot be
-    hashed, and a place, size or weight that is no number or out of bounds.
+    Raises ParameterError for what is no sequence, more than MOST_TARGETS, an id that occurs twice, is
+    ``None`` or cannot be hashed, and a place, size or weight that is no number or out of bounds.
 
     >>> table([Target("a", 0.0, 0.0, 20.0, 10.0)]).tolist()
     [[10.0, 5.0, 20.0, 10.0, 0.0]]

@@ -82,7 +82,9 @@ def test_the_scripts_say_it(script: str, default: str) -> None:
 @pytest.mark.parametrize("script", ["lib/pointpred.js", "lib/intent/register.js", "page/service/listing.js"])
 def test_the_scripts_take_it_from_the_registry(script: str) -> None:
     text = (files("pointpred_server") / "web" / script).read_text(encoding="utf-8")
-    assert re.search(r'import \{[^}]*\bRECOMMENDED\b[^}]*\} from "(?:\.{1,2}/)+(?:lib/)?laws/registry\.js"', text)
+    assert re.search(
+        r'import \{[^}]*\bRECOMMENDED\b[^}]*\} from "(?:\.{1,2}/)+(?:lib/)?laws/registry\.js"', text
+    )
     assert f'predictor: "{RECOMMENDED}"' not in text
 
 

@@ -30,9 +30,17 @@ BOTH = (
 )
 
 
-@pytest.mark.parametrize("text", [JSON, CSV, "\ufeff" + CSV, CSV.replace("\n", "\r\n")])
+SEPARATED = (CSV.replace(",", ";"), CSV.replace(",", "\t"))
+
+
+@pytest.mark.parametrize("text", [JSON, CSV, "\ufeff" + CSV, CSV.replace("\n", "\r\n"), *SEPARATED])
 def test_json_and_csv_hold_the_same_rectangles(tmp_path: Path, text: str) -> None:
     assert read_targets(text_file(tmp_path / "targets", text)) == BOTH
+
+
+def test_ids_may_be_whole_numbers(tmp_path: Path) -> None:
+    text = '[{"id": 7, "x": 0, "y": 0, "width": 9, "height": 9}]'
+    assert [one.id for one in read_targets(text_file(tmp_path / "targets", text))] == ["7"]
 
 
 @pytest.mark.parametrize(

@@ -218,7 +218,10 @@ def test_the_person_of_a_session_can_be_asked_for_and_set() -> None:
 
 
 def test_what_is_known_of_targets_goes_on_in_another_session_and_with_other_parameters() -> None:
-    told = {"type": "targets", "targets": [{"id": "a", "x": -30.0, "y": -30.0, "width": 60.0, "height": 60.0}]}
+    told = {
+        "type": "targets",
+        "targets": [{"id": "a", "x": -30.0, "y": -30.0, "width": 60.0, "height": 60.0}],
+    }
     frames = [hello(), told, *frames_of(rows(14), 10), {"type": "reset"}, {"type": "person"}]
     known = both(frames)[1][-1][0]["person"]
     assert known.startswith("+")

@@ -47,7 +47,9 @@ def test_another_site_that_is_allowed_uses_the_client(tmp_path: Path, headers: d
         settled(page)
         loaded = page.evaluate("performance.getEntriesByType('resource').map(({ name }) => name)")
         modules = {name for name in loaded if name.endswith(".js")}
-        parts = {f"{service.url}/web/lib/client/{part.name}" for part in (WEB / "lib" / "client").glob("*.js")}
+        parts = {
+            f"{service.url}/web/lib/client/{part.name}" for part in (WEB / "lib" / "client").glob("*.js")
+        }
         assert {f"{service.url}/pointpred.js", f"{service.url}/web/lib/pointpred.js", *parts} <= modules
         assert all(name.startswith(service.url) for name in modules)
         page.evaluate("connection.close()")
