@@ -19,6 +19,8 @@ from translation.source import Name, is_law
 
 COEFFICIENTS = "kinematic.f32"
 """The file of coefficients in the folder of laws."""
+FIRST = "minimum-jerk"
+"""Predicts in a page until the recommended one is loaded: it needs no coefficients."""
 LONGEST_GROUP = 16
 """Slots of a group that comes again and again, such as those of a place, at most."""
 LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault", "enter_scene", "list_places", "list_parts")
@@ -69,6 +71,7 @@ def registry_text(version: str) -> str:
         "// Written by `make laws` from the registry: change that and run it again.",
         f"export const VERSION = {json.dumps(version)};",
         f"export const RECOMMENDED = {json.dumps(RECOMMENDED)};",
+        f"export const FIRST = {json.dumps(FIRST)};",
         f"export const GAINS = {_object(GAINS)};",
         "export const PREDICTORS = {",
     ]
@@ -83,7 +86,8 @@ def registry_text(version: str) -> str:
         lines.append(f"  {json.dumps(entry.name)}: {{ {', '.join(parts)} }},")
     lines += ["};", "export const DIFFERENTIATORS = {"]
     lines += [f"  {json.dumps(name)}: {{ load: {_load(stage)} }}," for name, stage in DIFFERENTIATORS.items()]
-    return "\n".join([*lines, "};"]) + "\n"
+    lines += ["};", "export const REGISTRY = { GAINS, PREDICTORS, DIFFERENTIATORS };"]
+    return "\n".join(lines) + "\n"
 
 
 def descriptions_text() -> str:

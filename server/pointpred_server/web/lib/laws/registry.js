@@ -1,6 +1,7 @@
 // Written by `make laws` from the registry: change that and run it again.
 export const VERSION = "0.1.0";
 export const RECOMMENDED = "kinematic-adaptive";
+export const FIRST = "minimum-jerk";
 export const GAINS = { gain_lambda: 48, gain_xi: 1.6, alpha: 0 };
 export const PREDICTORS = {
   "hold": { differentiator: "homogeneous", load: () => import("./predictors/hold.js").then((one) => one.HoldPredictor) },
@@ -24,3 +25,4 @@ export const DIFFERENTIATORS = {
   "kalman": { load: () => import("./differentiators/kalman.js").then((one) => one.KalmanDifferentiator) },
   "difference": { load: () => import("./differentiators/difference.js").then((one) => one.BackwardDifferentiator) },
 };
+export const REGISTRY = { GAINS, PREDICTORS, DIFFERENTIATORS };
