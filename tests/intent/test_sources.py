@@ -49,17 +49,17 @@ def test_the_small_source_predicts_what_build_does(page: IntentPage, name: str) 
 @pytest.mark.parametrize("name", ["kinematic-adaptive", "kinematic", "minimum-jerk"])
 def test_a_predictor_is_loaded_when_it_is_needed(page: IntentPage, name: str) -> None:
     loaded = "performance.getEntriesByType('resource').map(({ name }) => name.split('/').at(-1))"
-    assert "kinematic.f32" not in page.value(loaded)
+    assert "kinematic.js" not in page.value(loaded)
     page.make(f"watch(box('goal', 600, 500), {{ predictor: '{name}' }})")
-    needed = "kinematic.f32" if name.startswith("kinematic") else "minimum_jerk.js"
+    needed = "kinematic.js" if name.startswith("kinematic") else "minimum_jerk.js"
     page.wait(f"{loaded}.includes('{needed}')")
     page.move((40, 40), (650, 530), 0.5)
     assert page.said() == ["goal predicted"]
-    assert ("kinematic.f32" in page.value(loaded)) is name.startswith("kinematic")
+    assert ("kinematic.js" in page.value(loaded)) is name.startswith("kinematic")
 
 
 def test_a_handle_says_when_its_predictor_is_loaded(page: IntentPage) -> None:
-    resolved = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.f32'))"
+    resolved = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.js'))"
     assert page.value(f"register(box('goal', 600, 500)).ready.then(() => {resolved})") is True
     with pytest.raises(SourceError, match="predictor must be one of hold, linear,"):
         page.value("register(box('other', 100, 500), { predictor: 'linnear' })")

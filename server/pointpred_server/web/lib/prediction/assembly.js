@@ -2,7 +2,6 @@
 
 import { Aim as Targets } from "../laws/targets/aim.js";
 import { Aim } from "./aim.js";
-import { coefficientsOf } from "./coefficients.js";
 import { checkTogether } from "./combinations.js";
 import { unknown, valuesOf } from "./parameters.js";
 import { Pipeline } from "./pipeline.js";
@@ -21,7 +20,7 @@ import { Stage } from "./stage.js";
  */
 
 /**
- * A fresh pipeline for a name of a registry. Only the modules of that name are loaded, and its coefficients once.
+ * A fresh pipeline for a name of a registry. Only the modules of that name are loaded.
  * Rejects with a ParameterError for an unknown name or parameter, a value out of bounds, and an unusable person.
  * @param {Registry} registry @param {string} name @param {BuildOptions & Object<string, unknown>} [options] undefined counts as not given
  * @returns {Promise<Pipeline>}
@@ -37,8 +36,11 @@ export async function assemble({ DIFFERENTIATORS, GAINS, PREDICTORS }, name, opt
     ...given
   } = options;
   const source = entryOf(DIFFERENTIATORS, "differentiator", chosen);
-  const loading = entry.coefficients && coefficientsOf(entry.coefficients);
-  const [predictorKind, differentiatorKind, coefficients] = await Promise.all([entry.load(), source.load(), loading]);
+  const [predictorKind, differentiatorKind, coefficients] = await Promise.all([
+    entry.load(),
+    source.load(),
+    entry.coefficients?.(),
+  ]);
   refuseUnknown(name, given, [...predictorKind.parameters, ...differentiatorKind.parameters, ...Targets.parameters]);
   const values = { ...GAINS, ...entry.preset, ...withoutUndefined(given), cpi, dpi };
   const ofPredictor = valuesOf(predictorKind.parameters, values);
