@@ -1,15 +1,19 @@
 // Loads the page behind a link when the user is heading for it.
 
-const loaded = new Set(); // addresses, so that each is loaded once
-let speculates = globalThis.HTMLScriptElement?.supports?.("speculationrules") ?? false;
+import { needDocument } from "../client/document.js";
 
-// A page whose Content Security Policy refuses inline scripts refuses the rules: links take over.
-globalThis.document?.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => {
-  if (!speculates || blockedURI !== "inline" || !effectiveDirective.startsWith("script-src") || loaded.size === 0)
-    return;
-  speculates = false;
-  for (const address of loaded) addLink(address);
-});
+const loaded = new Set(); // addresses, so that each is loaded once
+let speculates; // whether the browser has rules, and takes them; known from the first page that is loaded
+
+/** A page whose Content Security Policy refuses inline scripts refuses the rules: links take over. */
+function begin() {
+  speculates = HTMLScriptElement.supports?.("speculationrules") ?? false;
+  document.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => {
+    if (!speculates || blockedURI !== "inline" || !effectiveDirective.startsWith("script-src")) return;
+    speculates = false;
+    for (const address of loaded) addLink(address);
+  });
+}
 
 /**
  * `prefetchLink` with this `onIntent`. It prefetches or prerenders the pages of links that the user is heading for: by Speculation Rules where the browser has them,
@@ -22,6 +26,7 @@ globalThis.document?.addEventListener("securitypolicyviolation", ({ effectiveDir
 export const prefetchLinkWith = (onIntent) => (links, options) => prefetch(onIntent, links, options);
 
 function prefetch(onIntent, links, { action = "prefetch", crossOrigin = false, ...options } = {}) {
+  needDocument("prefetchLink");
   if (action !== "prefetch" && action !== "prerender")
     throw new TypeError(`action must be prefetch or prerender, received ${action}`);
   const found = typeof links === "string" ? [...document.querySelectorAll(links)] : [links];
@@ -53,6 +58,7 @@ function load(url, action) {
   const address = url.replace(/#.*/, "");
   if (loaded.has(address)) return;
   loaded.add(address);
+  if (speculates === undefined) begin();
   if (!speculates) return addLink(address);
   const rules = document.createElement("script");
   rules.type = "speculationrules";
