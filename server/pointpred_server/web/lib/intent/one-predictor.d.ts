@@ -21,4 +21,5 @@ export function prefetchLink(
 ): ReturnType<typeof all.prefetchLink>;
 
 export type { Firing, Handle, IntentCallback, LedgerEntry, LedgerSummary } from "../index.js";
-export { ledger, onLedger, showOverlay } from "../index.js";
+export { ledger, onLedger } from "../index.js";
+export { showOverlay } from "./overlay/overlay.js";
