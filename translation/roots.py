@@ -11,19 +11,17 @@ from translation.source import Name
 
 WEB = Path(__file__).resolve().parent.parent / "server" / "pointpred_server" / "web"
 LAWS = "lib/laws/"
-OTHERS = ("lib/laws/", "page/vendor/")
+OTHERS = ("lib/laws/", "lib/entries/", "page/vendor/")
 """Folders of modules that are not the page's own."""
 HAND_WRITTEN = ("arithmetic.js", "coefficients.js")
 """Files beside the translator that go into the folder of laws as they are."""
 NAMED = re.compile(r'^(?:import|export) \{([^}]*)\} from "([^"]+)"', re.MULTILINE)
 WHOLE = re.compile(r'^import \* as (\w+) from "([^"]+)"', re.MULTILINE)
-LATER = {"pointpred.differentiators.homogeneous": ("chatter", "STEPS_M", "CHATTER_MOST_M_S", "SUBSTEPS_MOST")}
-"""Names of modules that the page loads by ``import()``, which does not say what it uses of them."""
 
 
 def roots() -> set[Name]:
     """The laws and constants that the page's own modules import."""
-    wanted = {Name(module, word) for module, words in LATER.items() for word in words}
+    wanted: set[Name] = set()
     for path in WEB.rglob("*.js"):
         name = path.relative_to(WEB).as_posix()
         if not name.startswith(OTHERS):
@@ -47,12 +45,18 @@ def _module(folder: str, address: str) -> str:
     """The Python module of an address; empty for one that is not made of laws."""
     path = posixpath.normpath(posixpath.join(folder, address))
     file = path.removeprefix(LAWS)
-    made = path.startswith(LAWS) and file not in (
-        *HAND_WRITTEN,
-        "registry.js",
-        "descriptions.js",
-        "messages.js",
-        "fields.js",
+    made = (
+        path.startswith(LAWS)
+        and not file.startswith("only/")
+        and file
+        not in (
+            *HAND_WRITTEN,
+            "kinematic.js",
+            "registry.js",
+            "descriptions.js",
+            "messages.js",
+            "fields.js",
+        )
     )
     return f"pointpred.{file.removesuffix('.js').replace('/', '.')}" if made else ""
 

@@ -17,8 +17,9 @@ from translation.expressions import number
 from translation.names import path_of, qualified, renamed
 from translation.source import Name, is_law
 
-COEFFICIENTS = "kinematic.f32"
-"""The file of coefficients in the folder of laws."""
+COEFFICIENTS = "kinematic.js"
+"""The module of coefficients in the folder of laws."""
+LOAD_COEFFICIENTS = f'() => import("./{COEFFICIENTS}").then((one) => one.COEFFICIENTS)'
 LONGEST_GROUP = 16
 """Slots of a group that comes again and again, such as those of a place, at most."""
 LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault", "enter_scene", "list_places", "list_parts")
@@ -69,21 +70,23 @@ def registry_text(version: str) -> str:
         "// Written by `make laws` from the registry: change that and run it again.",
         f"export const VERSION = {json.dumps(version)};",
         f"export const RECOMMENDED = {json.dumps(RECOMMENDED)};",
-        f"export const GAINS = {_object(GAINS)};",
+        f"export const GAINS = {object_text(GAINS)};",
         "export const PREDICTORS = {",
     ]
     for entry in REGISTRY.values():
         preset = {"preset": entry.preset} if entry.preset else {}
-        numbers = {"coefficients": COEFFICIENTS} if hasattr(entry.predictor, "coefficients") else {}
         parts = [
             f"{key}: {_value(value)}"
-            for key, value in {"differentiator": entry.differentiator, **preset, **numbers}.items()
+            for key, value in {"differentiator": entry.differentiator, **preset}.items()
         ]
         parts.append(f"load: {_load(entry.predictor)}")
+        if hasattr(entry.predictor, "coefficients"):
+            parts.append(f"coefficients: {LOAD_COEFFICIENTS}")
         lines.append(f"  {json.dumps(entry.name)}: {{ {', '.join(parts)} }},")
     lines += ["};", "export const DIFFERENTIATORS = {"]
     lines += [f"  {json.dumps(name)}: {{ load: {_load(stage)} }}," for name, stage in DIFFERENTIATORS.items()]
-    return "\n".join([*lines, "};"]) + "\n"
+    lines += ["};", "export const REGISTRY = { GAINS, PREDICTORS, DIFFERENTIATORS };"]
+    return "\n".join(lines) + "\n"
 
 
 def descriptions_text() -> str:
@@ -147,15 +150,16 @@ def _parameter(one: Parameter) -> str:
     whole = {"whole": True} if one.whole else {}
     given = {} if one.default is REQUIRED else {"default": one.default}
     bounds = {"name": one.name, **({"unit": one.unit} if one.unit else {}), "low": one.low, "high": one.high}
-    return _object(bounds | given | whole | absent)
+    return object_text(bounds | given | whole | absent)
 
 
 def _slot(slot: Any) -> str:
     whole = {"whole": True} if slot.whole else {}
-    return _object({"name": slot.name, "count": slot.count, "low": slot.low, "high": slot.high} | whole)
+    return object_text({"name": slot.name, "count": slot.count, "low": slot.low, "high": slot.high} | whole)
 
 
-def _object(values: dict[str, Any]) -> str:
+def object_text(values: dict[str, Any]) -> str:
+    """An object of numbers and words."""
     return (
         "{ " + ", ".join(f"{key}: {_value(value)}" for key, value in values.items()) + " }"
         if values
@@ -167,7 +171,7 @@ def _value(value: Any) -> str:
     if isinstance(value, bool | int | float):
         return number(value).text
     if isinstance(value, dict):
-        return _object(value)
+        return object_text(value)
     return json.dumps(value)
 
 

@@ -8,7 +8,7 @@ import re
 from tests.architecture.tree import ROOT
 
 WEB = ROOT / "server" / "pointpred_server" / "web"
-PACKAGE = ("laws", "prediction", "client", "pointpred.js", "intent", "index.js")
+PACKAGE = ("laws", "prediction", "client", "pointpred.js", "intent", "entries", "index.js", "script")
 PAGE = (
     *("vendor", "shell", "drawing", "service", "live", "circle", "replay", "assist", "device", "page.js"),
     "example.js",
@@ -48,7 +48,7 @@ def imports() -> list[tuple[str, str, set[str]]]:
                 continue  # of a framework, which the page brings
             beside = posixpath.join(posixpath.dirname(path), address)
             target = address.removeprefix("/").removeprefix("web/") if address[0] == "/" else beside
-            listed = re.sub(r" as \w+", "", names.strip("{} \n")).split(",") if "{" in names else []
+            listed = re.sub(r" as \w+", "", names.strip("{} \n,")).split(",") if "{" in names else []
             found.append((path, posixpath.normpath(target), {name.strip() for name in listed}))
     return found
 

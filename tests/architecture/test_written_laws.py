@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.compiled import COMPILED
+from translation.entries import entry_texts
 from translation.modules import texts, write
 
 ROOT = Path(__file__).parents[2]
@@ -45,6 +46,13 @@ def test_the_javascript_in_the_repository_is_up_to_date() -> None:
         assert (PAGE / name).read_bytes() == content, f"{name} is out of date: run `make laws`"
 
 
+def test_the_entries_in_the_repository_are_up_to_date() -> None:
+    expected = entry_texts()
+    assert {path.name for path in (PAGE.parent / "entries").iterdir()} == set(expected), "run `make laws`"
+    for name, text in expected.items():
+        assert (PAGE.parent / "entries" / name).read_text("utf-8") == text, f"{name}: run `make laws`"
+
+
 def test_writing_removes_what_is_no_longer_made(tmp_path: Path) -> None:
     old = tmp_path / "predictors" / "gone.js"
     old.parent.mkdir()
@@ -54,6 +62,6 @@ def test_writing_removes_what_is_no_longer_made(tmp_path: Path) -> None:
     assert (tmp_path / "predictors" / "switched.js").is_file()
 
 
-@pytest.mark.parametrize("name", ["registry.js", "predictors/switched.js", "arithmetic.js", "kinematic.f32"])
+@pytest.mark.parametrize("name", ["registry.js", "predictors/switched.js", "arithmetic.js", "kinematic.js"])
 def test_what_the_page_needs_is_written(name: str) -> None:
     assert name in texts()

@@ -1,27 +1,32 @@
 // Loads the page behind a link when the user is heading for it.
 
-import { onIntent } from "./register.js";
+import { needDocument } from "../client/document.js";
 
 const loaded = new Set(); // addresses, so that each is loaded once
-let speculates = globalThis.HTMLScriptElement?.supports?.("speculationrules") ?? false;
+let speculates; // whether the browser has rules, and takes them; known from the first page that is loaded
 
-// A page whose Content Security Policy refuses inline scripts refuses the rules: links take over.
-globalThis.document?.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => {
-  if (!speculates || blockedURI !== "inline" || !effectiveDirective.startsWith("script-src") || loaded.size === 0)
-    return;
-  speculates = false;
-  for (const address of loaded) addLink(address);
-});
+/** A page whose Content Security Policy refuses inline scripts refuses the rules: links take over. */
+function begin() {
+  speculates = HTMLScriptElement.supports?.("speculationrules") ?? false;
+  document.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => {
+    if (!speculates || blockedURI !== "inline" || !effectiveDirective.startsWith("script-src")) return;
+    speculates = false;
+    for (const address of loaded) addLink(address);
+  });
+}
 
 /**
- * Prefetches or prerenders the pages of links that the user is heading for: by Speculation Rules where the browser has them,
+ * `prefetchLink` with this `onIntent`. It prefetches or prerenders the pages of links that the user is heading for: by Speculation Rules where the browser has them,
  * else by `<link rel=prefetch>`. Left out are links to other origins (unless `crossOrigin`), to this page itself, with
  * `download` or another `target`, and pages loaded before. A link that is added later, or whose address changes to one that may be loaded, needs another call.
- * @param {Element|string} links a link, or a selector of several
- * @param {import("../index.d.ts").PrefetchLinkOptions} [options] of `onIntent`, and `action`, `crossOrigin`
- * @returns {() => void} stops it
+ * @param {ReturnType<import("./register.js").onIntentWith>} onIntent
+ * @returns {(links: Element|string, options?: import("../index.d.ts").PrefetchLinkOptions) => () => void} takes a link, or a selector of
+ *   several; options of `onIntent`, and `action`, `crossOrigin`. What it returns stops it
  */
-export function prefetchLink(links, { action = "prefetch", crossOrigin = false, ...options } = {}) {
+export const prefetchLinkWith = (onIntent) => (links, options) => prefetch(onIntent, links, options);
+
+function prefetch(onIntent, links, { action = "prefetch", crossOrigin = false, ...options } = {}) {
+  needDocument("prefetchLink");
   if (action !== "prefetch" && action !== "prerender")
     throw new TypeError(`action must be prefetch or prerender, received ${action}`);
   const found = typeof links === "string" ? [...document.querySelectorAll(links)] : [links];
@@ -53,6 +58,7 @@ function load(url, action) {
   const address = url.replace(/#.*/, "");
   if (loaded.has(address)) return;
   loaded.add(address);
+  if (speculates === undefined) begin();
   if (!speculates) return addLink(address);
   const rules = document.createElement("script");
   rules.type = "speculationrules";

@@ -1,0 +1,9 @@
+// What has fired in this page.
+
+import { ledger as theLedger } from "./registration.js";
+
+/** What has fired so far: hits, unused firings and lead times. @returns {import("../index.d.ts").LedgerSummary} */
+export const ledger = () => theLedger.summary();
+
+/** Calls `listener` with each entry of the ledger from now on. @param {(entry: import("../index.d.ts").LedgerEntry) => void} listener @returns {() => void} stops it */
+export const onLedger = (listener) => theLedger.subscribe(listener);
