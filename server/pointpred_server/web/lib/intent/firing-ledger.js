@@ -4,28 +4,44 @@ import { Leads } from "../prediction/leads.js";
 
 const MOST_NAMES = 500; // names beyond are counted in the totals only
 
-/** What the page's own function returns; its error is logged, and keeps nothing else from being called. */
-export function attempt(call) {
+/**
+ * What the page's own function returns. Its error, also of a promise that it returns, is logged unless something else takes
+ * it, and keeps nothing else from being called.
+ */
+export function attempt(call, onError = reportError) {
   try {
-    return call();
+    const answer = call();
+    if (typeof answer?.then === "function") answer.then(undefined, onError);
+    return answer;
   } catch (error) {
-    reportError(error);
+    onError(error);
     return undefined;
   }
 }
 
 /** Counts of one name, or of all. */
 class Counts {
-  fired = 0;
-  hit = 0;
   withheld = 0;
   withdrawn = 0;
   leads = new Leads();
+  #reasons = {};
+
+  /** @param {string} reason @param {"fired"|"hit"} what */
+  add(reason, what) {
+    this.#reasons[reason] ??= { fired: 0, hit: 0 };
+    this.#reasons[reason][what] += 1;
+  }
 
   /** @returns {import("../index.d.ts").Counts} */
   summary() {
-    const { fired, hit, withheld, withdrawn } = this;
-    return { fired, hit, wasted: fired - hit, withheld, withdrawn, lead_s: this.leads.summary };
+    const { withheld, withdrawn } = this,
+      reasons = {},
+      all = { fired: 0, hit: 0, wasted: 0 };
+    for (const [reason, { fired, hit }] of Object.entries(this.#reasons)) {
+      reasons[reason] = { fired, hit, wasted: fired - hit };
+      for (const what in all) all[what] += reasons[reason][what];
+    }
+    return { ...all, withheld, withdrawn, lead_s: this.leads.summary, reasons };
   }
 }
 
@@ -38,9 +54,9 @@ export class FiringLedger {
 
   /** @param {import("./registration.js").Registration} registration @param {import("../index.d.ts").Firing} firing */
   fire(registration, firing) {
-    for (const counts of this.#countsOf(registration)) counts.fired += 1;
-    const { element } = registration;
-    this.#open.set(element, (this.#open.get(element) ?? new Map()).set(registration, firing));
+    for (const counts of this.#countsOf(registration)) counts.add(firing.reason, "fired");
+    const subject = registration.subject();
+    this.#open.set(subject, (this.#open.get(subject) ?? new Map()).set(registration, firing));
     this.#tell("fired", registration, firing);
   }
 
@@ -53,18 +69,19 @@ export class FiringLedger {
   /** A highlight has ended; whether the element was activated meanwhile is already counted. */
   withdraw(registration, firing, t) {
     for (const counts of this.#countsOf(registration)) counts.withdrawn += 1;
-    this.#open.get(registration.element)?.delete(registration);
+    this.#open.get(registration.subject())?.delete(registration);
     this.#tell("withdrawn", registration, { ...firing, t });
   }
 
-  /** The user activates an element, by a click or a key. @param {Element} element @param {number} t s */
-  activate(element, t) {
-    const open = this.#open.get(element);
-    this.#open.delete(element);
+  /** The user activates the element of a registration, by a click or a key. @param {number} t s */
+  activate(activated, t) {
+    const subject = activated.subject(),
+      open = this.#open.get(subject);
+    this.#open.delete(subject);
     for (const [registration, firing] of open ?? []) {
       const lead_s = Math.max(0, t - firing.t);
       for (const counts of this.#countsOf(registration)) {
-        counts.hit += 1;
+        counts.add(firing.reason, "hit");
         counts.leads.add(lead_s);
       }
       this.#tell("hit", registration, { ...firing, t, lead_s });
@@ -89,8 +106,8 @@ export class FiringLedger {
     return this.#names.has(name) ? [this.#all, this.#names.get(name)] : [this.#all];
   }
 
-  #tell(kind, { element, name, options: { policy } }, { reason, p, t, lead_s = null }) {
-    for (const listener of this.#listeners)
-      attempt(() => listener({ kind, element, name, policy, reason, p, t, lead_s }));
+  #tell(kind, { element, name, options: { policy } }, { reason, p, score, threshold, t, lead_s = null }) {
+    const entry = { kind, element, name, policy, reason, p, score, threshold, t, lead_s };
+    for (const listener of this.#listeners) attempt(() => listener(entry));
   }
 }

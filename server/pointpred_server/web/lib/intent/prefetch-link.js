@@ -1,65 +1,115 @@
-// Loads the page behind a link when the user is heading for it.
+// Loads the pages behind links when the user is heading for them.
 
-import { onIntent } from "./register.js";
+import { attempt } from "./firing-ledger.js";
+import { ask, isAsked, pageOf } from "./pages.js";
+import { begin, listOf, named, optionsOf } from "./register.js";
 
-const loaded = new Set(); // addresses, so that each is loaded once
-let speculates = globalThis.HTMLScriptElement?.supports?.("speculationrules") ?? false;
+const WATCH_MS = 100; // so long after a change of the page its links are looked for again
 
-// A page whose Content Security Policy refuses inline scripts refuses the rules: links take over.
-globalThis.document?.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => {
-  if (!speculates || blockedURI !== "inline" || !effectiveDirective.startsWith("script-src") || loaded.size === 0)
-    return;
-  speculates = false;
-  for (const address of loaded) addLink(address);
-});
+/** Addresses that end a session or change something, although a GET should do neither. */
+const UNSAFE =
+  /(?:^|[^a-z])(?:log|sign)[-_]?(?:out|off)|[/=?&](?:unsubscribe|delete|remove|add[-_]to[-_]cart)(?=[/?&=.]|$)/i;
 
 /**
- * Prefetches or prerenders the pages of links that the user is heading for: by Speculation Rules where the browser has them,
- * else by `<link rel=prefetch>`. Left out are links to other origins (unless `crossOrigin`), to this page itself, with
- * `download` or another `target`, and pages loaded before. A link that is added later, or whose address changes to one that may be loaded, needs another call.
- * @param {Element|string} links a link, or a selector of several
- * @param {import("../index.d.ts").PrefetchLinkOptions} [options] of `onIntent`, and `action`, `crossOrigin`
+ * Prefetches or prerenders the pages of links that the user is heading for: by Speculation Rules where the browser has them and
+ * may use them, else by `<link rel=prefetch>`. Left out are links to other origins, to this page itself, with `download` or
+ * another `target`, in an element with `data-no-prefetch`, with an address that looks as if it logged out or changed something,
+ * and to pages loaded in the last five minutes. Throws a TypeError or a RangeError for links and options that cannot be used;
+ * then none is registered.
+ * @param {Element|Iterable<Element>|string} links one, several, or a selector
+ * @param {import("../index.d.ts").PrefetchLinkOptions} [options] of `onIntent`, and those named here
  * @returns {() => void} stops it
  */
-export function prefetchLink(links, { action = "prefetch", crossOrigin = false, ...options } = {}) {
+export function prefetchLink(
+  links,
+  { action = "prefetch", href, ignore = [], origins = [], limit = Infinity, nonce, watch = false, ...options } = {},
+) {
+  const ignores = [ignore].flat();
   if (action !== "prefetch" && action !== "prerender")
     throw new TypeError(`action must be prefetch or prerender, received ${action}`);
-  const found = typeof links === "string" ? [...document.querySelectorAll(links)] : [links];
-  const stops = found.map((link) => {
-    if (!(link instanceof HTMLAnchorElement)) throw new TypeError(`a link (<a href>) is needed, received ${link}`);
-    return isLoadable(link, crossOrigin)
-      ? onIntent(link, () => isLoadable(link, crossOrigin) && load(link.href, action), options)
-      : () => {};
+  if (href !== undefined && typeof href !== "function")
+    throw new TypeError(`href must be a function, received ${href}`);
+  if (!ignores.every((one) => typeof one === "function" || one instanceof RegExp))
+    throw new TypeError(`ignore must be a RegExp, a function or a list of these, received ${ignore}`);
+  if (!(limit >= 1)) throw new RangeError(`limit must be a number from 1 on, received ${limit}`);
+  if (watch && typeof links !== "string") throw new TypeError(`watch needs a selector, received ${links}`);
+  const checked = optionsOf(options);
+  const rules = { href, ignores, origins: [origins].flat() };
+  let left = limit;
+
+  const addressOf = (link) => attempt(() => loadable(link, rules), checked.onError) ?? null;
+  const pageFor = (link) => {
+    const address = addressOf(link);
+    return address === null ? null : pageOf(address);
+  };
+  const own = {
+    ...checked,
+    enabled(link) {
+      const page = pageFor(link);
+      const { enabled } = checked;
+      return left > 0 && page !== null && !isAsked(page) && (typeof enabled === "function" ? enabled(link) : enabled);
+    },
+  };
+  const load = ({ element }) => {
+    left -= 1;
+    ask(pageFor(element), action, nonce);
+  };
+  const registered = new Map();
+  const add = (found) => {
+    for (const one of found)
+      if (!href && !isLink(one))
+        throw new TypeError(`a link (<a href> or <area href>) is needed, received ${named(one)}`);
+    const loadables = found.filter((one) => !registered.has(one) && addressOf(one) !== null);
+    for (const handle of begin(loadables, load, own, (link) => pageFor(link) ?? link))
+      registered.set(handle.element, handle);
+  };
+  add(typeof links === "string" ? [...document.querySelectorAll(links)] : listOf(links));
+  const unwatch = watch ? watchLinks(links, registered, add) : () => {};
+  return () => {
+    unwatch();
+    for (const { stop } of registered.values()) stop();
+  };
+}
+
+/** Registers links of a selector that are added later, and stops those that have gone. @returns {() => void} stops it */
+function watchLinks(selector, registered, add) {
+  let timer = 0;
+  const update = () => {
+    timer = 0;
+    const found = new Set(document.querySelectorAll(selector));
+    for (const [link, { stop }] of registered)
+      if (!found.has(link)) {
+        stop();
+        registered.delete(link);
+      }
+    attempt(() => add([...found]));
+  };
+  const observer = new MutationObserver(() => {
+    timer ||= setTimeout(update, WATCH_MS);
   });
-  return () => stops.forEach((stop) => stop());
+  observer.observe(document, { subtree: true, childList: true, attributeFilter: ["href", "class"] });
+  return () => {
+    observer.disconnect();
+    clearTimeout(timer);
+  };
 }
 
-/** Whether a link leads to a page that may be loaded ahead. */
-function isLoadable(link, crossOrigin) {
-  const { href, origin, protocol, target } = link;
-  const [page, here] = [href, location.href].map((url) => url.replace(/#.*/, ""));
-  return (
-    href !== "" &&
-    /^https?:$/.test(protocol) &&
-    (crossOrigin || origin === location.origin) &&
-    page !== here &&
-    (target === "" || target === "_self") &&
-    !link.hasAttribute("download")
-  );
-}
+const isLink = (one) => one instanceof Element && (one.localName === "a" || one.localName === "area");
 
-/** Asks the browser to load a page, once. */
-function load(url, action) {
-  const address = url.replace(/#.*/, "");
-  if (loaded.has(address)) return;
-  loaded.add(address);
-  if (!speculates) return addLink(address);
-  const rules = document.createElement("script");
-  rules.type = "speculationrules";
-  rules.textContent = JSON.stringify({ [action]: [{ source: "list", urls: [address], eagerness: "immediate" }] });
-  document.head.append(rules);
-}
-
-function addLink(address) {
-  document.head.append(Object.assign(document.createElement("link"), { rel: "prefetch", href: address }));
+/** The address of the page behind a link without its fragment; null if it shall not be loaded ahead. */
+function loadable(link, { href, ignores, origins }) {
+  const given = href ? href(link) : (link.href?.baseVal ?? link.href);
+  if (!given) return null;
+  const url = new URL(given, document.baseURI);
+  url.hash = "";
+  const isLoaded =
+    /^https?:$/.test(url.protocol) &&
+    (url.origin === location.origin || origins.includes("*") || origins.includes(url.origin)) &&
+    url.href !== location.href.replace(/#.*/, "") &&
+    ["", "_self"].includes(link.getAttribute("target") ?? "") &&
+    !link.hasAttribute("download") &&
+    !link.closest("[data-no-prefetch]") &&
+    !UNSAFE.test(url.pathname + url.search) &&
+    !ignores.some((one) => (one instanceof RegExp ? one.test(url.href) : one(link, url)));
+  return isLoaded ? url.href : null;
 }

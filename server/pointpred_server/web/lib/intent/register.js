@@ -13,7 +13,14 @@ const CHOICES = {
   scroll: ["pointer", "view", "none"],
   saveData: ["respect", "ignore"],
 };
-const NUMBERS = { priority: [0, 1e6], threshold: [0, 1], again_s: [0, Infinity], keyboard: [0, 20] };
+const NUMBERS = {
+  priority: [0, 1e6],
+  threshold: [Number.MIN_VALUE, 1],
+  again_s: [0, Infinity],
+  keyboard: [0, 20],
+  dwell_s: [0, 60],
+};
+const KINDS = { enabled: ["boolean", "function"], attributes: ["boolean"], onError: ["function", "undefined"] };
 const DEFAULTS = {
   policy: "prefetch",
   predictor: RECOMMENDED,
@@ -22,12 +29,16 @@ const DEFAULTS = {
   hitSlop: 0,
   priority: 1,
   threshold: THRESHOLD,
+  enabled: true,
   once: undefined,
   again_s: Infinity,
+  dwell_s: 0,
   keyboard: 2,
   touch: "start",
   scroll: "pointer",
   saveData: "respect",
+  attributes: false,
+  onError: undefined,
 };
 const SIDES = ["top", "right", "bottom", "left"];
 
@@ -35,13 +46,16 @@ const SIDES = ["top", "right", "bottom", "left"];
 export const trackers = new Map();
 
 /**
- * Calls `callback` when the user is heading for an element. Throws a TypeError or a RangeError for options that cannot be used.
- * @param {Element} element @param {import("../index.d.ts").IntentCallback} callback @param {import("../index.d.ts").IntentOptions} [options]
+ * Calls `callback` when the user is heading for an element. Throws a TypeError or a RangeError for elements and options that
+ * cannot be used; then none is registered.
+ * @param {Element|Iterable<Element>} elements one, or several @param {import("../index.d.ts").IntentCallback} callback
+ * @param {import("../index.d.ts").IntentOptions} [options]
  * @returns {() => void} stops it; the last one to stop leaves no listener on the page
  */
-export function onIntent(element, callback, options) {
+export function onIntent(elements, callback, options) {
   if (typeof callback !== "function") throw new TypeError(`onIntent needs a function to call, received ${callback}`);
-  return begin(element, callback, options).stop;
+  const handles = begin(listOf(elements), callback, optionsOf(options));
+  return () => handles.forEach(({ stop }) => stop());
 }
 
 /**
@@ -50,23 +64,44 @@ export function onIntent(element, callback, options) {
  * @returns {import("../index.d.ts").Handle}
  */
 export function register(element, options) {
-  return begin(element, null, options);
+  return begin([element], null, optionsOf(options))[0];
 }
 
-function begin(element, callback, given) {
-  if (!(element instanceof Element)) throw new TypeError(`an element of the page is needed, received ${element}`);
-  const options = optionsOf(given);
-  const registration = new Registration(element, callback, options);
+/** The elements of a list, such as a NodeList, or the one that is given. */
+export const listOf = (given) => (typeof given === "object" && given?.[Symbol.iterator] ? [...given] : [given]);
+
+/**
+ * Registers elements, all or none. @param {Element[]} elements @param {import("../index.d.ts").IntentCallback|null} callback
+ * @param {object} options as `optionsOf` gives them @param {(element: Element) => object} [subjectOf] what the callback is for
+ * @returns {import("../index.d.ts").Handle[]}
+ */
+export function begin(elements, callback, options, subjectOf) {
+  elements.forEach(check);
+  if (elements.length === 0) return [];
   const tracker = trackerOf(options);
-  tracker.add(registration);
-  return {
-    element,
-    ready: tracker.ready,
-    stop: () => tracker.remove(registration),
-    get share() {
-      return tracker.share(element);
-    },
-  };
+  return elements.map((element) => {
+    const registration = new Registration(element, callback, options, subjectOf && (() => subjectOf(element)));
+    tracker.add(registration);
+    return {
+      element,
+      ready: tracker.ready,
+      stop: () => tracker.remove(registration),
+      get share() {
+        return tracker.share(element);
+      },
+    };
+  });
+}
+
+/** What an error calls an element. */
+export const named = (one) => (one?.localName ? `<${one.localName}${one.id ? ` id="${one.id}"` : ""}>` : String(one));
+
+function check(element) {
+  const view = element?.ownerDocument?.defaultView;
+  if (view && view !== window)
+    throw new TypeError(`${named(element)} belongs to the document of a frame: load pointpred there, too`);
+  if (!(element instanceof Element))
+    throw new TypeError(`an element of the page is needed, received ${named(element)}`);
 }
 
 /** The tracker of a predictor; the first registration begins it. */
@@ -89,7 +124,7 @@ function trackerOf({ predictor, service }) {
  * @param {import("../index.d.ts").IntentOptions} given
  * @returns {Required<import("../index.d.ts").IntentOptions> & {hitSlop: {top: number, right: number, bottom: number, left: number}}}
  */
-function optionsOf(given = {}) {
+export function optionsOf(given = {}) {
   const options = { ...DEFAULTS };
   for (const [name, value] of Object.entries(given)) {
     if (!(name in DEFAULTS)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(DEFAULTS).join(", ")}`);
@@ -99,6 +134,9 @@ function optionsOf(given = {}) {
     if (!known.includes(options[name]))
       throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${options[name]}`);
   for (const [name, [low, high]] of Object.entries(NUMBERS)) checkNumber(name, options[name], low, high);
+  for (const [name, kinds] of Object.entries(KINDS))
+    if (!kinds.includes(typeof options[name]))
+      throw new TypeError(`${name} must be a ${kinds.join(" or ")}, received ${options[name]}`);
   options.once ??= options.policy === "prefetch";
   options.hitSlop = sidesOf(options.hitSlop);
   return options;
@@ -106,12 +144,18 @@ function optionsOf(given = {}) {
 
 function checkNumber(name, value, low, high) {
   if (!(typeof value === "number" && value >= low && value <= high))
-    throw new RangeError(`${name} must be a number in [${low}, ${high}], received ${value}`);
+    throw new RangeError(
+      `${name} must be a number in ${low === Number.MIN_VALUE ? "(0" : `[${low}`}, ${high}], received ${value}`,
+    );
 }
 
 /** Of each side, how far the element counts beyond it, px. */
 function sidesOf(slop) {
-  const sides = Object.fromEntries(SIDES.map((side) => [side, typeof slop === "number" ? slop : (slop[side] ?? 0)]));
+  const given =
+    typeof slop === "object" && slop !== null ? slop : Object.fromEntries(SIDES.map((side) => [side, slop]));
+  for (const side of Object.keys(given))
+    if (!SIDES.includes(side)) throw new TypeError(`unknown side ${side} of hitSlop; known: ${SIDES.join(", ")}`);
+  const sides = Object.fromEntries(SIDES.map((side) => [side, given[side] ?? 0]));
   for (const side of SIDES) checkNumber(`hitSlop ${side}`, sides[side], 0, 10000);
   return sides;
 }

@@ -33,14 +33,15 @@ export class ScrollAhead {
   }
 }
 
-/** Reports elements that come near the viewport, from the first scroll on: what is near it when the page is opened is not meant. */
+/** Reports elements that come near the viewport, from the first scroll on: what is in view before has not come. */
 export class NearView {
   #waiting = new Set();
   #observer = null;
+  #seen = new WeakSet();
 
-  /** @param {(element: Element) => void} onNear @param {AbortSignal} signal */
-  constructor(onNear, signal) {
-    window.addEventListener("scroll", () => this.#begin(onNear, signal), {
+  /** @param {(element: Element) => void} onNear @param {Set<Element>} inView @param {AbortSignal} signal */
+  constructor(onNear, inView, signal) {
+    window.addEventListener("scroll", () => this.#begin(onNear, inView, signal), {
       signal,
       capture: true,
       passive: true,
@@ -50,19 +51,26 @@ export class NearView {
 
   /** @param {Element} element */
   observe(element) {
-    if (this.#observer) this.#observer.observe(element);
-    else this.#waiting.add(element);
+    if (!this.#observer) return void this.#waiting.add(element);
+    const { top, bottom } = element.getBoundingClientRect();
+    if (bottom > 0 && top < innerHeight) this.#seen.add(element);
+    this.#observer.observe(element);
   }
 
-  #begin(onNear, signal) {
+  #begin(onNear, inView, signal) {
     this.#observer = new IntersectionObserver(
       (entries) => {
-        for (const { target, isIntersecting } of entries) if (isIntersecting) onNear(target);
+        for (const { target, isIntersecting } of entries)
+          if (!isIntersecting) this.#seen.delete(target);
+          else if (!this.#seen.has(target)) onNear(target);
       },
       { rootMargin: MARGIN },
     );
     signal.addEventListener("abort", () => this.#observer.disconnect());
-    for (const element of this.#waiting) this.#observer.observe(element);
+    for (const element of this.#waiting) {
+      if (inView.has(element)) this.#seen.add(element);
+      this.#observer.observe(element);
+    }
     this.#waiting.clear();
   }
 }
