@@ -1,24 +1,21 @@
-// The coefficients of the learned predictor.
+// The coefficients of the learned predictor, out of the text that they are packed in.
 
-const BYTES = 4;
+const DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+const LOWER = 8; // the last digit has the three lowest bits
+const MANTISSAS = LOWER * DIGITS.length;
 
 /**
- * The numbers of a file of coefficients: float32, little-endian, the first bytes of all of them before the second ones, and so
- * on, because the file is smaller so when it is compressed.
- * @param {ArrayBuffer} packed @returns {Float64Array} Throws an Error for anything else, such as a page that says that there is no such file.
+ * Numbers of nine bits behind the leading one. A text has three digits for each: sign and exponent, the upper bits of
+ * the mantissa, the lower ones; first this digit of all numbers, then the next, because the text is smaller so when it is compressed.
+ * @param {string} text @param {number} lowest exponent @returns {Float64Array}
  */
-export function unpack(packed) {
-  const planes = new Uint8Array(packed),
-    count = Math.floor(planes.length / BYTES),
-    view = new DataView(new ArrayBuffer(planes.length));
-  for (let k = 0; k < BYTES; k++) for (let i = 0; i < count; i++) view.setUint8(BYTES * i + k, planes[k * count + i]);
-  const numbers = Float64Array.from({ length: count }, (_, i) => view.getFloat32(BYTES * i, true));
-  const [first, second] = numbers; // the widths of the hidden layers
-  const isFile =
-    [planes.length / BYTES, first, second].every(Number.isInteger) && first > 0 && second > 0 && first * second < count;
-  if (!isFile)
-    throw new Error(
-      `not a file of coefficients: ${planes.length} bytes; serve laws/kinematic.f32 as it is in the package`,
-    );
-  return numbers;
+export function unpack(text, lowest) {
+  const count = text.length / 3;
+  const digit = (place) => DIGITS.indexOf(text[place]);
+  return Float64Array.from({ length: count }, (_, i) => {
+    const first = digit(i);
+    const mantissa = LOWER * digit(count + i) + digit(2 * count + i);
+    const size = (1 + mantissa / MANTISSAS) * 2 ** (lowest + (first >> 1));
+    return first & 1 ? -size : size;
+  });
 }

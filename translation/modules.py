@@ -11,9 +11,9 @@ import numpy as np
 
 import pointpred
 from pointpred.predictors.kinematic import coefficient_file
-from pointpred.records import FloatArray
 from pointpred.stage import CompiledStage
 from translation import stages
+from translation.coefficients import coefficients_text
 from translation.expressions import is_constant, number
 from translation.javascript import Law
 from translation.messages import fields_text, messages_text
@@ -49,7 +49,7 @@ def texts() -> dict[str, bytes]:
     files["fields.js"] = fields_text().encode()
     files["descriptions.js"] = stages.descriptions_text().encode()
     files["registry.js"] = stages.registry_text(pointpred.__version__).encode()
-    files[stages.COEFFICIENTS] = planes(coefficient_file.read(coefficient_file.OWN))
+    files[stages.COEFFICIENTS] = coefficients_text(coefficient_file.read(coefficient_file.OWN)).encode()
     here = Path(__file__).parent
     return files | {name: (here / name).read_bytes() for name in HAND_WRITTEN}
 
@@ -108,13 +108,3 @@ def constant(value: object) -> str:
     if isinstance(value, np.ndarray):
         return f"/* @__PURE__ */ new Float64Array({number(tuple(value.tolist())).text})"
     return number(value).text
-
-
-def planes(coefficients: FloatArray) -> bytes:
-    """Coefficients as little-endian float32: the first bytes of all of them, then the second ones, and so on.
-
-    In this order the file compresses to four fifths; ``coefficients.js`` puts it right.
-    """
-    packed = coefficients.astype("<f4")
-    assert (packed == coefficients).all(), "coefficients must be float32 numbers"
-    return packed.view(np.uint8).reshape(-1, 4).T.tobytes()

@@ -49,6 +49,7 @@ def _module(folder: str, address: str) -> str:
     file = path.removeprefix(LAWS)
     made = path.startswith(LAWS) and file not in (
         *HAND_WRITTEN,
+        "kinematic.js",
         "registry.js",
         "descriptions.js",
         "messages.js",

@@ -17,8 +17,11 @@ from translation.expressions import number
 from translation.names import path_of, qualified, renamed
 from translation.source import Name, is_law
 
-COEFFICIENTS = "kinematic.f32"
-"""The file of coefficients in the folder of laws."""
+COEFFICIENTS = "kinematic.js"
+"""The module of coefficients in the folder of laws."""
+FIRST = "minimum-jerk"
+"""Predicts in a page until the recommended one is loaded: it needs no coefficients."""
+LOAD_COEFFICIENTS = f'() => import("./{COEFFICIENTS}").then((one) => one.COEFFICIENTS)'
 LONGEST_GROUP = 16
 """Slots of a group that comes again and again, such as those of a place, at most."""
 LAWS = ("step", "conclude", "fill", "settle", "sizes", "fault", "enter_scene", "list_places", "list_parts")
@@ -69,21 +72,24 @@ def registry_text(version: str) -> str:
         "// Written by `make laws` from the registry: change that and run it again.",
         f"export const VERSION = {json.dumps(version)};",
         f"export const RECOMMENDED = {json.dumps(RECOMMENDED)};",
+        f"export const FIRST = {json.dumps(FIRST)};",
         f"export const GAINS = {_object(GAINS)};",
         "export const PREDICTORS = {",
     ]
     for entry in REGISTRY.values():
         preset = {"preset": entry.preset} if entry.preset else {}
-        numbers = {"coefficients": COEFFICIENTS} if hasattr(entry.predictor, "coefficients") else {}
         parts = [
             f"{key}: {_value(value)}"
-            for key, value in {"differentiator": entry.differentiator, **preset, **numbers}.items()
+            for key, value in {"differentiator": entry.differentiator, **preset}.items()
         ]
         parts.append(f"load: {_load(entry.predictor)}")
+        if hasattr(entry.predictor, "coefficients"):
+            parts.append(f"coefficients: {LOAD_COEFFICIENTS}")
         lines.append(f"  {json.dumps(entry.name)}: {{ {', '.join(parts)} }},")
     lines += ["};", "export const DIFFERENTIATORS = {"]
     lines += [f"  {json.dumps(name)}: {{ load: {_load(stage)} }}," for name, stage in DIFFERENTIATORS.items()]
-    return "\n".join([*lines, "};"]) + "\n"
+    lines += ["};", "export const REGISTRY = { GAINS, PREDICTORS, DIFFERENTIATORS };"]
+    return "\n".join(lines) + "\n"
 
 
 def descriptions_text() -> str:

@@ -50,7 +50,7 @@ class Host(SimpleHTTPRequestHandler):
 
     def do_GET(self) -> None:
         """Answer a request."""
-        if self.path.endswith((".js", ".f32")):
+        if self.path.endswith(".js"):
             return super().do_GET()
         body = b"<!doctype html><title>cost</title><body>"
         self.send_response(200)

@@ -13,12 +13,10 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from evidence import ROOT
 from evidence.intent.fit import Fitted
 from pointpred.predictors.kinematic import coefficient_file
-from translation.modules import planes
+from translation.coefficients import coefficients_text
 
 PACKAGE = "js.foresight@4.2.1"
 LIB, HERE = ROOT / "server" / "pointpred_server" / "web" / "lib", Path(__file__).parent
@@ -64,7 +62,7 @@ class Site(ThreadingHTTPServer):
         laws = "/pointpred/laws/"
         flat = coefficient_file.read(coefficients or coefficient_file.OWN)
         self.changed = {
-            f"{laws}kinematic.f32": planes(flat.astype(np.float32).astype(np.float64)),
+            f"{laws}kinematic.js": coefficients_text(flat).encode(),
             f"{laws}targets/posterior.js": _with("posterior", "FITTED_PAGES", fitted.evidence),
             f"{laws}targets/prefetch.js": _with("prefetch", "FITTED", fitted.settings),
         }

@@ -48,7 +48,7 @@ def imports() -> list[tuple[str, str, set[str]]]:
                 continue  # of a framework, which the page brings
             beside = posixpath.join(posixpath.dirname(path), address)
             target = address.removeprefix("/").removeprefix("web/") if address[0] == "/" else beside
-            listed = re.sub(r" as \w+", "", names.strip("{} \n")).split(",") if "{" in names else []
+            listed = re.sub(r" as \w+", "", names.strip("{} \n,")).split(",") if "{" in names else []
             found.append((path, posixpath.normpath(target), {name.strip() for name in listed}))
     return found
 

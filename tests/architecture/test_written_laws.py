@@ -54,6 +54,6 @@ def test_writing_removes_what_is_no_longer_made(tmp_path: Path) -> None:
     assert (tmp_path / "predictors" / "switched.js").is_file()
 
 
-@pytest.mark.parametrize("name", ["registry.js", "predictors/switched.js", "arithmetic.js", "kinematic.f32"])
+@pytest.mark.parametrize("name", ["registry.js", "predictors/switched.js", "arithmetic.js", "kinematic.js"])
 def test_what_the_page_needs_is_written(name: str) -> None:
     assert name in texts()

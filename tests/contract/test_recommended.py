@@ -79,7 +79,7 @@ def test_the_scripts_say_it(script: str, default: str) -> None:
     assert re.findall(default, text, re.MULTILINE) == [RECOMMENDED]
 
 
-@pytest.mark.parametrize("script", ["lib/pointpred.js", "lib/intent/register.js", "page/service/listing.js"])
+@pytest.mark.parametrize("script", ["lib/pointpred.js", "lib/intent/index.js", "page/service/listing.js"])
 def test_the_scripts_take_it_from_the_registry(script: str) -> None:
     text = (files("pointpred_server") / "web" / script).read_text(encoding="utf-8")
     assert re.search(r'import \{[^}]*\bRECOMMENDED\b[^}]*\} from "(?:\.{1,2}/)+(?:lib/)?laws/registry\.js"', text)

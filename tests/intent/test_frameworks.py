@@ -51,7 +51,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "entry.js").write_text(BUNDLE)
     command = [
         *("node_modules/.bin/esbuild", "entry.js", "--bundle", "--splitting", "--format=esm", "--outdir=out"),
-        *("--define:process.env.NODE_ENV='production'", "--loader:.f32=file", "--log-level=error"),
+        *("--define:process.env.NODE_ENV='production'", "--log-level=error"),
     ]
     made = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert made.returncode == 0, made.stderr

@@ -36,7 +36,7 @@ def test_what_belongs_goes_with_it() -> None:
         ["npm", "pack", "--dry-run", "--json"], cwd=LIB, capture_output=True, text=True, check=True
     )
     files = {one["path"] for one in json.loads(told.stdout)[0]["files"]}
-    assert {"index.js", "index.d.ts", "intent/index.js", "laws/kinematic.f32", "prediction/build.js"} <= files
+    assert {"index.js", "index.d.ts", "intent/index.js", "laws/kinematic.js", "prediction/build.js"} <= files
     rooms = {path.partition("/")[0] for path in files}
     assert rooms <= {*PACKAGE["files"], "package.json", "LICENSE", "NOTICE", "README.md"}
 

@@ -8,16 +8,19 @@ from tests.server import browser
 pytestmark = browser.needed
 
 WHEN_IDLE = "window.requestIdleCallback = (done) => { window.isIdle = done; }"
-LOADED = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.f32'))"
+LOADED = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.js'))"
 PREDICTOR = "[...trackers.values()][0].view.predictor"
 WATCH = (
     "watch(box('goal', 600, 500), { predictor: undefined, once: false }); register(box('other', 100, 500))"
 )
 
 SOURCE = """
-Promise.all(["intent/source", "prediction/build"].map((name) => import(`/pointpred/${name}.js`)))
-  .then(async ([{ Source }, { build }]) => {
-    const source = new Source("kinematic-adaptive"), said = [];
+Promise.all(["source", "small-source", "whole-source"].map((name) => `intent/${name}`)
+  .concat("prediction/build", "laws/registry")
+  .map((name) => import(`/pointpred/${name}.js`)))
+  .then(async ([{ Source }, { small }, { whole }, { build }, { REGISTRY }]) => {
+    const first = small(REGISTRY, "minimum-jerk"), said = [];
+    const source = new Source({ ...whole(REGISTRY, "kinematic-adaptive"), first });
     while (source.predictor === null) await new Promise((done) => setTimeout(done, 5));
     const pipelines = { small: await build("minimum-jerk"), learned: await build("kinematic-adaptive") };
     const add = (number, i) => {

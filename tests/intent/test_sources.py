@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import pytest
 
 from pointpred.errors import SourceError
+from pointpred.registry import REGISTRY
 from tests.intent.page import IntentPage
 from tests.server import browser
 from tests.server.listener import Listener, soon
@@ -15,10 +16,16 @@ from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
 
+WITHOUT_COEFFICIENTS = [
+    name for name, entry in REGISTRY.items() if not hasattr(entry.predictor, "coefficients")
+]
+
 COMPARE = """
-Promise.all(["intent/small-source", "prediction/build"].map((name) => import(`/pointpred/${name}.js`)))
-  .then(async ([{ open }, { build }]) => {
-    const [small, whole] = await Promise.all([open("NAME"), build("NAME")]), different = [];
+Promise.all(["intent/small-source", "prediction/build", "laws/registry"]
+  .map((name) => import(`/pointpred/${name}.js`)))
+  .then(async ([{ small: source }, { build }, { REGISTRY }]) => {
+    const [small, whole] = await Promise.all([source(REGISTRY, "NAME").open(), build("NAME")]);
+    const different = [];
     let claims = 0;
     for (let i = 0; i < 400; i += 1) {
       const u = (i % 100) / 100, way = u * u * u * (10 - 15 * u + 6 * u * u);
@@ -32,27 +39,27 @@ Promise.all(["intent/small-source", "prediction/build"].map((name) => import(`/p
   })"""
 
 
-@pytest.mark.parametrize("name", ["minimum-jerk", "switched-direction", "switched", "linear", "hold"])
+@pytest.mark.parametrize("name", WITHOUT_COEFFICIENTS)
 def test_the_small_source_predicts_what_build_does(page: IntentPage, name: str) -> None:
     claims, different = page.value(COMPARE.replace("NAME", name))
-    assert claims > 100
+    assert claims > 70, "some claim nothing before the peak of the speed"
     assert different == 0
 
 
 @pytest.mark.parametrize("name", ["kinematic-adaptive", "kinematic", "minimum-jerk"])
 def test_a_predictor_is_loaded_when_it_is_needed(page: IntentPage, name: str) -> None:
     loaded = "performance.getEntriesByType('resource').map(({ name }) => name.split('/').at(-1))"
-    assert "kinematic.f32" not in page.value(loaded)
+    assert "kinematic.js" not in page.value(loaded)
     page.make(f"watch(box('goal', 600, 500), {{ predictor: '{name}' }})")
-    needed = "kinematic.f32" if name.startswith("kinematic") else "minimum_jerk.js"
+    needed = "kinematic.js" if name.startswith("kinematic") else "minimum_jerk.js"
     page.wait(f"{loaded}.includes('{needed}')")
     page.move((40, 40), (650, 530), 0.5)
     assert page.said() == ["goal predicted"]
-    assert ("kinematic.f32" in page.value(loaded)) is name.startswith("kinematic")
+    assert ("kinematic.js" in page.value(loaded)) is name.startswith("kinematic")
 
 
 def test_a_handle_says_when_its_predictor_is_loaded(page: IntentPage) -> None:
-    resolved = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.f32'))"
+    resolved = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.js'))"
     assert page.value(f"register(box('goal', 600, 500)).ready.then(() => {resolved})") is True
     with pytest.raises(SourceError, match="predictor must be one of hold, linear,"):
         page.value("register(box('other', 100, 500), { predictor: 'linnear' })")
@@ -61,7 +68,7 @@ def test_a_handle_says_when_its_predictor_is_loaded(page: IntentPage) -> None:
 @pytest.fixture
 def served(visitor: Visitor) -> Iterator[tuple[IntentPage, Listener]]:
     with Listener() as listener:
-        yield IntentPage(visitor, listener.url, package="/web"), listener
+        yield IntentPage(visitor, listener.url, package="/web/lib"), listener
 
 
 def test_a_service_predicts_and_the_calls_are_the_same(served: tuple[IntentPage, Listener]) -> None:

@@ -165,11 +165,10 @@ export async function compareTargets(laws, given) {
   return { worst, unequal };
 }
 
-/** All comparisons of one file of cases. @param {string} laws @param {{streams: Stream[], targets: object}} cases @param {ArrayBuffer} packed */
-export async function compareAll(laws, cases, packed) {
-  const { unpack } = await import(`${laws}/coefficients.js`);
-  const coefficients = unpack(packed);
+/** All comparisons of one file of cases. @param {string} laws @param {{streams: Stream[], targets: object}} cases */
+export async function compareAll(laws, cases) {
+  const { COEFFICIENTS } = await import(`${laws}/kinematic.js`);
   const streams = [];
-  for (const stream of cases.streams) streams.push(await compare(laws, stream, coefficients));
+  for (const stream of cases.streams) streams.push(await compare(laws, stream, COEFFICIENTS));
   return { streams, targets: await compareTargets(laws, cases.targets) };
 }

@@ -1,8 +1,7 @@
 // The small source with stages that count their rows: the predictor refuses rows whose second number is 1, the differentiator 2.
 // Gives for each row what both have counted, null where it is refused.
 
-import { open } from "../../server/pointpred_server/web/lib/intent/small-source.js";
-import { DIFFERENTIATORS, PREDICTORS } from "../../server/pointpred_server/web/lib/laws/registry.js";
+import { small } from "../../server/pointpred_server/web/lib/intent/small-source.js";
 import { answer, given } from "./given.mjs";
 
 const counting = (wrong) => ({
@@ -17,8 +16,11 @@ const counting = (wrong) => ({
     return [...row, memory[0]];
   },
 });
-DIFFERENTIATORS.counting = { load: async () => counting(2) };
-PREDICTORS.counting = { differentiator: "counting", load: async () => counting(1) };
+const registry = {
+  GAINS: {},
+  DIFFERENTIATORS: { counting: { load: async () => counting(2) } },
+  PREDICTORS: { counting: { differentiator: "counting", load: async () => counting(1) } },
+};
 const { rows } = await given(),
-  source = await open("counting");
+  source = await small(registry, "counting").open();
 answer(rows.map((row) => source.add(row)?.slice(2) ?? null));

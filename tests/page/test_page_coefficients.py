@@ -1,24 +1,30 @@
-"""The file of coefficients in the page: only such a file is taken."""
+"""The coefficients in the page: a module, small once it is compressed, with the very numbers of the file."""
 
 from __future__ import annotations
 
-from pathlib import Path
+import gzip
 
+import numpy as np
 import pytest
 
+from pointpred.predictors.kinematic import coefficient_file
+from tests.intent.conftest import LIB
 from tests.page import node
+from translation.coefficients import coefficients_text
 
-pytestmark = node.needed
-FILE = Path(__file__).parents[2] / "server" / "pointpred_server" / "web" / "lib" / "laws" / "kinematic.f32"
-
-
-def test_the_file_of_the_package_is_taken() -> None:
-    packed = FILE.read_bytes()
-    assert node.run("unpack.mjs", list(packed)) == len(packed) // 4
+OWN = coefficient_file.read(coefficient_file.OWN)
 
 
-@pytest.mark.parametrize("length", [352, 3210, 3212])
-def test_a_page_in_its_place_is_refused(length: int) -> None:
-    """Some hosts answer with their index page where a file is missing."""
-    page = (b"<!doctype html><title>index</title>" * 100)[:length]
-    assert f"not a file of coefficients: {length} bytes" in node.run("unpack.mjs", list(page))
+@node.needed
+def test_the_page_has_the_numbers_of_the_file() -> None:
+    assert node.run("coefficients.mjs", None) == OWN.tolist()
+
+
+def test_they_are_small_once_compressed() -> None:
+    assert len(gzip.compress((LIB / "laws" / "kinematic.js").read_bytes(), 9)) < 16_000
+
+
+@pytest.mark.parametrize("odd", [0.0, 1.0 + 2.0**-10, 2.0**-40])
+def test_numbers_that_the_text_cannot_tell_are_refused(odd: float) -> None:
+    with pytest.raises(ValueError, match="numbers of 9 bits"):
+        coefficients_text(np.append(OWN, odd))

@@ -127,7 +127,7 @@ def test_a_predictor_that_nobody_knows_leaves_the_connection_refused(one: Visito
 def test_modules_that_cannot_be_loaded_are_tried_again(one: Visitor, url: str) -> None:
     one.open(f"{url}/web/page/example.html")
     one.hand.call("Network.enable")
-    one.hand.call("Network.setBlockedURLs", urls=["*kinematic.f32"])
+    one.hand.call("Network.setBlockedURLs", urls=["*kinematic.js"])
     one.value(OPEN.replace("OPTIONS", "{}"))
     soon(lambda: states(one) == ["open", "waiting"], "the page cannot fetch its coefficients")
     one.hand.call("Network.setBlockedURLs", urls=[])

@@ -19,7 +19,7 @@ def test_the_page_is_written_with_relative_addresses_only(command, tmp_path: Pat
     assert 'href="/' not in page
     assert 'src="/' not in page
     assert len(list((folder / "samples").glob("p*.json"))) == MOVEMENTS
-    assert (folder / "web" / "lib" / "laws" / "kinematic.f32").is_file()
+    assert (folder / "web" / "lib" / "laws" / "kinematic.js").is_file()
 
 
 def test_files_that_are_there_are_replaced_only_when_told_to(command, tmp_path: Path) -> None:

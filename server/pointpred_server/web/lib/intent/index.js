@@ -4,20 +4,39 @@
  *     import { onIntent } from "pointpred/intent";
  *     const stop = onIntent(document.querySelector("#cart"), () => import("./cart.js"));
  *
- * Everything runs in the page. Types and every option: `../index.d.ts`.
+ * Everything runs in the page. Types and every option: `../index.d.ts`. The predictor is chosen by an option among all of them;
+ * each is loaded when it is needed.
  */
 
-export { onPlace } from "./places.js";
-export { prefetchLink } from "./prefetch-link.js";
-export { onIntent, register } from "./register.js";
+import { FIRST, RECOMMENDED, REGISTRY } from "../laws/registry.js";
+import { onPlaceWith } from "./places.js";
+import { prefetchLinkWith } from "./prefetch-link.js";
+import { onIntentWith, registerWith } from "./register.js";
+import { small } from "./small-source.js";
+import { whole } from "./whole-source.js";
 
-import { ledger as theLedger } from "./registration.js";
+/** @type {import("./register.js").Offer} */
+const OFFER = {
+  defaults: { predictor: RECOMMENDED, service: undefined },
+  choices: { predictor: Object.keys(REGISTRY.PREDICTORS) },
+  of({ predictor, service }) {
+    if (service !== undefined) return served(predictor, service);
+    if (predictor === RECOMMENDED) return { ...whole(REGISTRY, predictor), first: small(REGISTRY, FIRST) };
+    return REGISTRY.PREDICTORS[predictor].coefficients ? whole(REGISTRY, predictor) : small(REGISTRY, predictor);
+  },
+};
 
-/** What has fired so far: hits, unused firings and lead times. @returns {import("../index.d.ts").LedgerSummary} */
-export const ledger = () => theLedger.summary();
+/** @returns {import("./source.js").Predictor} */
+const served = (name, service) => ({
+  name,
+  service,
+  open: async (onAnswer) => (await import("./service-source.js")).open(name, service, onAnswer),
+});
 
-/** Calls `listener` with each entry of the ledger from now on. @param {(entry: import("../index.d.ts").LedgerEntry) => void} listener @returns {() => void} stops it */
-export const onLedger = (listener) => theLedger.subscribe(listener);
+const build = async (options) => (await import("../prediction/build.js")).build(RECOMMENDED, options);
 
-/** Shows developers what is predicted; loads its module first. @returns {Promise<() => void>} hides it */
-export const showOverlay = async () => (await import("./overlay/overlay.js")).showOverlay();
+export const onIntent = /* @__PURE__ */ onIntentWith(OFFER);
+export const register = /* @__PURE__ */ registerWith(OFFER);
+export const prefetchLink = /* @__PURE__ */ prefetchLinkWith(onIntent);
+export const onPlace = /* @__PURE__ */ onPlaceWith(build);
+export { ledger, onLedger, showOverlay } from "./reports.js";

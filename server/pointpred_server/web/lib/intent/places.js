@@ -1,7 +1,6 @@
 // Proposals without registered elements: the places of a page where movements of the user ended before.
 
 import { PointerStream } from "../client/pointer-stream.js";
-import { RECOMMENDED } from "../laws/registry.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { claimed, isRefused, REMAINING_S } from "../prediction/row.js";
 import { attempt } from "./firing-ledger.js";
@@ -10,15 +9,17 @@ const DEFAULTS = { precision: USUAL[0], page: undefined, person: "", store: unde
 const TEXTS = ["page", "person", "store"];
 
 /**
- * Calls `callback` when the user is heading for a place where movements ended before. Throws a TypeError for options that
+ * `onPlace` with a predictor that learns places. It calls `callback` when the user is heading for a place where movements ended before. Throws a TypeError for options that
  * cannot be used.
- * @param {(firing: import("../index.d.ts").PlaceFiring) => unknown} callback @param {import("../index.d.ts").PlaceOptions} [options]
- * @returns {import("../index.d.ts").PlaceHandle}
+ * @param {(options?: {person: string}) => Promise<import("../prediction/pipeline.js").Pipeline>} build a pipeline of that predictor
+ * @returns {(callback: (firing: import("../index.d.ts").PlaceFiring) => unknown, options?: import("../index.d.ts").PlaceOptions) =>
+ *   import("../index.d.ts").PlaceHandle}
  */
-export function onPlace(callback, options) {
-  if (typeof callback !== "function") throw new TypeError(`onPlace needs a function to call, received ${callback}`);
-  return new Places(callback, optionsOf(options));
-}
+export const onPlaceWith = (build) =>
+  function onPlace(callback, options) {
+    if (typeof callback !== "function") throw new TypeError(`onPlace needs a function to call, received ${callback}`);
+    return new Places(build, callback, optionsOf(options));
+  };
 
 /** @param {import("../index.d.ts").PlaceOptions} given */
 function optionsOf(given = {}) {
@@ -52,6 +53,7 @@ function inStorage(use) {
 /** Follows the pointer, and proposes places of the page; scrolling moves them. */
 class Places {
   /** Settles when the predictor is loaded. @type {Promise<void>} */ ready;
+  #build;
   #callback;
   #options;
   #pipeline = null;
@@ -59,8 +61,8 @@ class Places {
   #firings = new Map();
   #stop = new AbortController();
 
-  constructor(callback, options) {
-    [this.#callback, this.#options] = [callback, options];
+  constructor(build, callback, options) {
+    [this.#build, this.#callback, this.#options] = [build, callback, options];
     this.ready = this.#load();
     this.ready.catch(reportError);
     const { signal } = this.#stop;
@@ -112,23 +114,21 @@ class Places {
   }
 
   async #load() {
-    const [{ PlaceChooser }, { build }] = await Promise.all([
-      import("../prediction/chooser.js"),
-      import("../prediction/build.js"),
-    ]);
-    this.#pipeline = await this.#known(build);
+    const [{ PlaceChooser }, pipeline] = await Promise.all([import("../prediction/chooser.js"), this.#known()]);
+    this.#pipeline = pipeline;
     this.#chooser = new PlaceChooser(this.#pipeline, { precision: this.#options.precision });
     this.#enter();
   }
 
   /** A pipeline that knows the person; one that knows nobody where the string is of another version. */
-  async #known(build) {
+  async #known() {
+    const build = this.#build;
     const { store } = this.#options;
     const stored = () => (store === undefined ? "" : inStorage((storage) => storage.getItem(store)));
     const person = () => this.#options.person || stored() || "";
     const given = person();
-    const pipeline = await build(RECOMMENDED, { person: given }).catch(() => build(RECOMMENDED));
-    return person() === given ? pipeline : build(RECOMMENDED); // forgotten meanwhile
+    const pipeline = await build({ person: given }).catch(() => build());
+    return person() === given ? pipeline : build(); // forgotten meanwhile
   }
 
   /** The places of the page are where it has been scrolled to; the movement is over. */

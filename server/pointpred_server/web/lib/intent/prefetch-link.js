@@ -2,7 +2,7 @@
 
 import { attempt } from "./firing-ledger.js";
 import { ask, isAsked, pageOf } from "./pages.js";
-import { begin, listOf, named, optionsOf } from "./register.js";
+import { listOf, named } from "./register.js";
 
 const WATCH_MS = 100; // so long after a change of the page its links are looked for again
 
@@ -11,64 +11,67 @@ const UNSAFE =
   /(?:^|[^a-z])(?:log|sign)[-_]?(?:out|off)|[/=?&](?:unsubscribe|delete|remove|add[-_]to[-_]cart)(?=[/?&=.]|$)/i;
 
 /**
- * Prefetches or prerenders the pages of links that the user is heading for: by Speculation Rules where the browser has them and
- * may use them, else by `<link rel=prefetch>`. Left out are links to other origins, to this page itself, with `download` or
- * another `target`, in an element with `data-no-prefetch`, with an address that looks as if it logged out or changed something,
- * and to pages loaded in the last five minutes. Throws a TypeError or a RangeError for links and options that cannot be used;
- * then none is registered.
- * @param {Element|Iterable<Element>|string} links one, several, or a selector
- * @param {import("../index.d.ts").PrefetchLinkOptions} [options] of `onIntent`, and those named here
- * @returns {() => void} stops it
+ * `prefetchLink` with this `onIntent`. It prefetches or prerenders the pages of links that the user is heading for: by Speculation
+ * Rules where the browser has them and may use them, else by `<link rel=prefetch>`. Left out are links to other origins, to this
+ * page itself, with `download` or another `target`, in an element with `data-no-prefetch`, with an address that looks as if it
+ * logged out or changed something, and to pages loaded in the last five minutes. Throws a TypeError or a RangeError for links and
+ * options that cannot be used; then none is registered.
+ * @param {ReturnType<import("./register.js").onIntentWith>} onIntent
+ * @returns {(links: Element|Iterable<Element>|string, options?: import("../index.d.ts").PrefetchLinkOptions) => () => void} takes links or a
+ *   selector, and options of `onIntent` besides its own. What it returns stops it
  */
-export function prefetchLink(
-  links,
-  { action = "prefetch", href, ignore = [], origins = [], limit = Infinity, nonce, watch = false, ...options } = {},
-) {
-  const ignores = [ignore].flat();
-  if (action !== "prefetch" && action !== "prerender")
-    throw new TypeError(`action must be prefetch or prerender, received ${action}`);
-  if (href !== undefined && typeof href !== "function")
-    throw new TypeError(`href must be a function, received ${href}`);
-  if (!ignores.every((one) => typeof one === "function" || one instanceof RegExp))
-    throw new TypeError(`ignore must be a RegExp, a function or a list of these, received ${ignore}`);
-  if (!(limit >= 1)) throw new RangeError(`limit must be a number from 1 on, received ${limit}`);
-  if (watch && typeof links !== "string") throw new TypeError(`watch needs a selector, received ${links}`);
-  const checked = optionsOf(options);
-  const rules = { href, ignores, origins: [origins].flat() };
-  let left = limit;
+export const prefetchLinkWith = (onIntent) => (links, options) => prefetch(onIntent, links, options);
 
-  const addressOf = (link) => attempt(() => loadable(link, rules), checked.onError) ?? null;
+function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonce, watch = false, ...given } = {}) {
+  const { href, ignore = [], origins = [], ...options } = given;
+  const rules = { href, ignores: [ignore].flat(), origins: [origins].flat() };
+  check(links, { action, limit, watch, ...rules });
+  const registered = new Map(); // what stops it, by link
   const pageFor = (link) => {
-    const address = addressOf(link);
+    const address = attempt(() => loadable(link, rules), options.onError) ?? null;
     return address === null ? null : pageOf(address);
   };
-  const own = {
-    ...checked,
-    enabled(link) {
-      const page = pageFor(link);
-      const { enabled } = checked;
-      return left > 0 && page !== null && !isAsked(page) && (typeof enabled === "function" ? enabled(link) : enabled);
-    },
-  };
+  let left = limit;
   const load = ({ element }) => {
     left -= 1;
     ask(pageFor(element), action, nonce);
   };
-  const registered = new Map();
+  const { enabled = true } = options;
+  const isOn = (link) => {
+    const page = pageFor(link);
+    return left > 0 && page !== null && !isAsked(page) && (typeof enabled === "function" ? enabled(link) : enabled);
+  };
   const add = (found) => {
     for (const one of found)
       if (!href && !isLink(one))
         throw new TypeError(`a link (<a href> or <area href>) is needed, received ${named(one)}`);
-    const loadables = found.filter((one) => !registered.has(one) && addressOf(one) !== null);
-    for (const handle of begin(loadables, load, own, (link) => pageFor(link) ?? link))
-      registered.set(handle.element, handle);
+    onIntent([], load, options); // checks them
+    for (const one of found)
+      if (!registered.has(one) && pageFor(one) !== null)
+        registered.set(
+          one,
+          onIntent(one, load, { ...options, enabled: isOn }, (link) => pageFor(link) ?? link),
+        );
   };
   add(typeof links === "string" ? [...document.querySelectorAll(links)] : listOf(links));
   const unwatch = watch ? watchLinks(links, registered, add) : () => {};
   return () => {
     unwatch();
-    for (const { stop } of registered.values()) stop();
+    for (const stop of registered.values()) stop();
   };
+}
+
+/** Throws a TypeError or a RangeError for an option that cannot be used. */
+function check(links, { action, limit, watch, href, ignores }) {
+  if (action !== "prefetch" && action !== "prerender")
+    throw new TypeError(`action must be prefetch or prerender, received ${action}`);
+  if (!(limit >= 1)) throw new RangeError(`limit must be a number from 1 on, received ${limit}`);
+  if (watch && typeof links !== "string") throw new TypeError(`watch needs a selector, received ${links}`);
+  if (href !== undefined && typeof href !== "function")
+    throw new TypeError(`href must be a function, received ${href}`);
+  for (const one of ignores)
+    if (typeof one !== "function" && !(one instanceof RegExp))
+      throw new TypeError(`ignore must be a RegExp, a function or a list of these, received ${one}`);
 }
 
 /** Registers links of a selector that are added later, and stops those that have gone. @returns {() => void} stops it */
@@ -77,7 +80,7 @@ function watchLinks(selector, registered, add) {
   const update = () => {
     timer = 0;
     const found = new Set(document.querySelectorAll(selector));
-    for (const [link, { stop }] of registered)
+    for (const [link, stop] of registered)
       if (!found.has(link)) {
         stop();
         registered.delete(link);

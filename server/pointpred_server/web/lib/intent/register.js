@@ -1,13 +1,11 @@
 // Registers elements with the tracker of their predictor; what may be said of an element: defaults, bounds, errors.
 
-import { PREDICTORS, RECOMMENDED } from "../laws/registry.js";
 import { THRESHOLD } from "../laws/targets/prefetch.js";
 import { Registration } from "./registration.js";
 import { Source } from "./source.js";
 import { Tracker } from "./tracker.js";
 
 const CHOICES = {
-  predictor: Object.keys(PREDICTORS),
   policy: ["prefetch", "highlight"],
   touch: ["start", "viewport", "none"],
   scroll: ["pointer", "view", "none"],
@@ -23,8 +21,6 @@ const NUMBERS = {
 const KINDS = { enabled: ["boolean", "function"], attributes: ["boolean"], onError: ["function", "undefined"] };
 const DEFAULTS = {
   policy: "prefetch",
-  predictor: RECOMMENDED,
-  service: undefined,
   name: "",
   hitSlop: 0,
   priority: 1,
@@ -46,39 +42,49 @@ const SIDES = ["top", "right", "bottom", "left"];
 export const trackers = new Map();
 
 /**
- * Calls `callback` when the user is heading for an element. Throws a TypeError or a RangeError for elements and options that
- * cannot be used; then none is registered.
- * @param {Element|Iterable<Element>} elements one, or several @param {import("../index.d.ts").IntentCallback} callback
- * @param {import("../index.d.ts").IntentOptions} [options]
- * @returns {() => void} stops it; the last one to stop leaves no listener on the page
+ * The predictors that an entry of the package offers.
+ * @typedef {{defaults: object, choices: Object<string, string[]>, of: (options: object) => import("./source.js").Predictor}} Offer
+ *   `defaults`, `choices`: the options that choose among them; `of`: the one that is chosen
  */
-export function onIntent(elements, callback, options) {
-  if (typeof callback !== "function") throw new TypeError(`onIntent needs a function to call, received ${callback}`);
-  const handles = begin(listOf(elements), callback, optionsOf(options));
-  return () => handles.forEach(({ stop }) => stop());
-}
 
 /**
- * Registers an element without a callback, so that its neighbours are predicted by mistake less often.
- * @param {Element} element @param {import("../index.d.ts").IntentOptions} [options]
- * @returns {import("../index.d.ts").Handle}
+ * `onIntent` with these predictors. It calls `callback` when the user is heading for an element. Throws a TypeError or a RangeError
+ * for elements and options that cannot be used; then none is registered.
+ * @param {Offer} offer
+ * @returns {(elements: Element|Iterable<Element>, callback: import("../index.d.ts").IntentCallback, options?: import("../index.d.ts").IntentOptions,
+ *   subjectOf?: (element: Element) => object) => () => void} what it returns stops it; the last one to stop leaves no listener on the page.
+ *   `subjectOf`: what the callback for an element loads; a click on one is a hit of all elements with the same
  */
-export function register(element, options) {
-  return begin([element], null, optionsOf(options))[0];
-}
+export const onIntentWith = (offer) =>
+  function onIntent(elements, callback, options, subjectOf) {
+    if (typeof callback !== "function") throw new TypeError(`onIntent needs a function to call, received ${callback}`);
+    const handles = begin(offer, listOf(elements), callback, options, subjectOf);
+    return () => handles.forEach(({ stop }) => stop());
+  };
+
+/**
+ * `register` with these predictors. It registers an element without a callback, so that its neighbours are predicted by mistake less often.
+ * @param {Offer} offer
+ * @returns {(element: Element, options?: import("../index.d.ts").IntentOptions) => import("../index.d.ts").Handle}
+ */
+export const registerWith = (offer) =>
+  function register(element, options) {
+    return begin(offer, [element], null, options)[0];
+  };
 
 /** The elements of a list, such as a NodeList, or the one that is given. */
-export const listOf = (given) => (typeof given === "object" && given?.[Symbol.iterator] ? [...given] : [given]);
+export const listOf = (given) =>
+  given?.[Symbol.iterator] && !given.nodeType && given !== String(given) ? [...given] : [given];
 
-/**
- * Registers elements, all or none. @param {Element[]} elements @param {import("../index.d.ts").IntentCallback|null} callback
- * @param {object} options as `optionsOf` gives them @param {(element: Element) => object} [subjectOf] what the callback is for
- * @returns {import("../index.d.ts").Handle[]}
- */
-export function begin(elements, callback, options, subjectOf) {
+/** What an error calls an element. */
+export const named = (one) => (one?.localName ? `<${one.localName}${one.id ? ` id="${one.id}"` : ""}>` : String(one));
+
+/** Registers elements, all or none. */
+function begin(offer, elements, callback, given, subjectOf) {
+  const options = optionsOf(offer, given);
   elements.forEach(check);
   if (elements.length === 0) return [];
-  const tracker = trackerOf(options);
+  const tracker = trackerOf(offer.of(options));
   return elements.map((element) => {
     const registration = new Registration(element, callback, options, subjectOf && (() => subjectOf(element)));
     tracker.add(registration);
@@ -93,9 +99,6 @@ export function begin(elements, callback, options, subjectOf) {
   });
 }
 
-/** What an error calls an element. */
-export const named = (one) => (one?.localName ? `<${one.localName}${one.id ? ` id="${one.id}"` : ""}>` : String(one));
-
 function check(element) {
   const view = element?.ownerDocument?.defaultView;
   if (view && view !== window)
@@ -105,13 +108,13 @@ function check(element) {
 }
 
 /** The tracker of a predictor; the first registration begins it. */
-function trackerOf({ predictor, service }) {
-  const key = JSON.stringify([predictor, service]);
+function trackerOf(predictor) {
+  const key = JSON.stringify([predictor.name, predictor.service]);
   if (!trackers.has(key))
     trackers.set(
       key,
       new Tracker(
-        (onAnswer) => new Source(predictor, service, onAnswer),
+        (onAnswer) => new Source(predictor, onAnswer),
         () => trackers.delete(key),
       ),
     );
@@ -121,16 +124,16 @@ function trackerOf({ predictor, service }) {
 /**
  * The options with their defaults. Throws a TypeError for one that is unknown or of another type, a RangeError for a number
  * out of bounds.
- * @param {import("../index.d.ts").IntentOptions} given
+ * @param {Offer} offer @param {import("../index.d.ts").IntentOptions} given
  * @returns {Required<import("../index.d.ts").IntentOptions> & {hitSlop: {top: number, right: number, bottom: number, left: number}}}
  */
-export function optionsOf(given = {}) {
-  const options = { ...DEFAULTS };
+function optionsOf({ defaults, choices }, given = {}) {
+  const options = { ...DEFAULTS, ...defaults };
   for (const [name, value] of Object.entries(given)) {
-    if (!(name in DEFAULTS)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(DEFAULTS).join(", ")}`);
+    if (!(name in options)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(options).join(", ")}`);
     if (value !== undefined) options[name] = value;
   }
-  for (const [name, known] of Object.entries(CHOICES))
+  for (const [name, known] of Object.entries({ ...CHOICES, ...choices }))
     if (!known.includes(options[name]))
       throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${options[name]}`);
   for (const [name, [low, high]] of Object.entries(NUMBERS)) checkNumber(name, options[name], low, high);

@@ -1,11 +1,15 @@
 // Predictions made in the page by a predictor that needs no coefficients, with the values of the registry.
 // `build` gives the same predictions; it also checks values of one's own, restores persons and says why an event is refused.
 
-import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../laws/registry.js";
 import { isRefused } from "../prediction/row.js";
 
-/** @param {string} name of the registry @returns {Promise<object>} as `Source` uses it */
-export async function open(name) {
+/**
+ * @param {import("../prediction/assembly.js").Registry} registry @param {string} name of it
+ * @returns {import("./source.js").Predictor}
+ */
+export const small = (registry, name) => ({ name, open: () => open(registry, name) });
+
+async function open({ DIFFERENTIATORS, GAINS, PREDICTORS }, name) {
   const { differentiator: law, preset, load } = PREDICTORS[name],
     values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
   const kinds = await Promise.all([DIFFERENTIATORS[law].load(), load()]);

@@ -1,31 +1,22 @@
 // Where predictions come from: a predictor in the page, or a service.
 
-import { RECOMMENDED } from "../laws/registry.js";
-import { isRefused } from "../prediction/row.js";
-
-const SMALL = ["minimum-jerk", "switched-direction", "switched", "linear", "hold"]; // need little code and no coefficients
-const FIRST = SMALL[0]; // predicts until the recommended one is loaded
 const PATIENCE_MS = 2000; // of a page that is never idle
 
-/** What opens any predictor of the registry; it rejects for any other. */
-const inPage = ({ build }) => ({
-  async open(predictor) {
-    const pipeline = await build(predictor);
-    const add = (row) => {
-      const answer = pipeline.advance(row);
-      return isRefused(answer) ? null : answer;
-    };
-    return { add, flush: () => false, close() {} };
-  },
-});
+/**
+ * A predictor that is not loaded yet.
+ * @typedef {{name: string, service?: string, first?: Predictor, open: (onAnswer: (row: number[]) => void) => Promise<Opened>}} Predictor
+ *   `service`: the address of the service that predicts; `first` predicts until this one is loaded, once the page is idle
+ * @typedef {{add: (row: number[]) => number[]|null, flush: () => boolean, close: () => void, ready?: Promise<void>}} Opened
+ *   `ready`: settles when its predictions can come, if that is later
+ */
 
 /** When the page has nothing else to do; some browsers do not tell. */
 const idle = () =>
   new Promise((resolve) => (globalThis.requestIdleCallback ?? setTimeout)(resolve, { timeout: PATIENCE_MS }));
 
 /**
- * A predictor, which is loaded when it is first needed. Until then it predicts nothing; but before the recommended one, which is
- * loaded once the page is idle, a small one predicts, and goes on to the end of a movement.
+ * A predictor, which is loaded when it is first needed. Until then it predicts nothing; but before one that is loaded when the page
+ * is idle another one predicts, and goes on to the end of a movement.
  */
 export class Source {
   /** Settles when this predictor's predictions can come: it is loaded, or the service has answered. @type {Promise<void>} */ ready;
@@ -35,30 +26,24 @@ export class Source {
   #closed = false;
 
   /**
-   * @param {string} predictor a name of the registry @param {string|undefined} service its address, if the service predicts
+   * @param {Predictor} predictor
    * @param {(row: number[]) => void} onAnswer a prediction has come that `add` did not return, as a row
    */
-  constructor(predictor, service, onAnswer) {
-    this.ready =
-      predictor === RECOMMENDED && service === undefined ? this.#loadBoth() : this.#load(predictor, service, onAnswer);
+  constructor(predictor, onAnswer) {
+    this.ready = predictor.first ? this.#loadBoth(predictor) : this.#load(predictor, onAnswer);
     this.ready.catch(reportError);
   }
 
-  async #loadBoth() {
-    await this.#load(FIRST);
+  async #loadBoth(predictor) {
+    await this.#load(predictor.first);
     await idle();
-    if (!this.#closed) await this.#load(RECOMMENDED);
+    if (!this.#closed) await this.#load(predictor);
   }
 
-  async #load(predictor, service, onAnswer) {
-    const { open } = await (service !== undefined
-      ? import("./service-source.js")
-      : SMALL.includes(predictor)
-        ? import("./small-source.js")
-        : import("../prediction/build.js").then(inPage));
-    const loaded = await open(predictor, service, onAnswer);
+  async #load({ name, open }, onAnswer) {
+    const loaded = await open(onAnswer);
     if (this.#closed) return loaded.close();
-    this.#next = { loaded, predictor };
+    this.#next = { loaded, predictor: name };
     if (this.#loaded === null) this.#goOver();
     return loaded.ready;
   }

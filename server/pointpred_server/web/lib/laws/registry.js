@@ -1,6 +1,7 @@
 // Written by `make laws` from the registry: change that and run it again.
 export const VERSION = "0.1.0";
 export const RECOMMENDED = "kinematic-adaptive";
+export const FIRST = "minimum-jerk";
 export const GAINS = { gain_lambda: 48, gain_xi: 1.6, alpha: 0 };
 export const PREDICTORS = {
   "hold": { differentiator: "homogeneous", load: () => import("./predictors/hold.js").then((one) => one.HoldPredictor) },
@@ -16,11 +17,12 @@ export const PREDICTORS = {
   "switched": { differentiator: "homogeneous", preset: { threshold: 0.08, bound: 1, delay_s: 0.011, gamma: 65000000 }, load: () => import("./predictors/switched.js").then((one) => one.SwitchedPredictor) },
   "switched-printed": { differentiator: "homogeneous", preset: { gain_lambda: 5, gain_xi: 2, alpha: -0.2, threshold: 0.2, bound: 0.1 }, load: () => import("./predictors/switched.js").then((one) => one.SwitchedPredictor) },
   "switched-direction": { differentiator: "homogeneous", preset: { gain_lambda: 100 }, load: () => import("./predictors/switched_direction.js").then((one) => one.SwitchedDirectionPredictor) },
-  "kinematic": { differentiator: "homogeneous", coefficients: "kinematic.f32", load: () => import("./predictors/kinematic/predictor.js").then((one) => one.KinematicPredictor) },
-  "kinematic-adaptive": { differentiator: "homogeneous", coefficients: "kinematic.f32", load: () => import("./predictors/adaptation/predictor.js").then((one) => one.AdaptiveKinematicPredictor) },
+  "kinematic": { differentiator: "homogeneous", load: () => import("./predictors/kinematic/predictor.js").then((one) => one.KinematicPredictor), coefficients: () => import("./kinematic.js").then((one) => one.COEFFICIENTS) },
+  "kinematic-adaptive": { differentiator: "homogeneous", load: () => import("./predictors/adaptation/predictor.js").then((one) => one.AdaptiveKinematicPredictor), coefficients: () => import("./kinematic.js").then((one) => one.COEFFICIENTS) },
 };
 export const DIFFERENTIATORS = {
   "homogeneous": { load: () => import("./differentiators/homogeneous.js").then((one) => one.HomogeneousDifferentiator) },
   "kalman": { load: () => import("./differentiators/kalman.js").then((one) => one.KalmanDifferentiator) },
   "difference": { load: () => import("./differentiators/difference.js").then((one) => one.BackwardDifferentiator) },
 };
+export const REGISTRY = { GAINS, PREDICTORS, DIFFERENTIATORS };
