@@ -43,7 +43,7 @@ function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonc
   };
   const add = (found) => {
     for (const one of found)
-      if (!href && !isLink(one))
+      if (!(href ? one instanceof Element : isLink(one)))
         throw new TypeError(`a link (<a href> or <area href>) is needed, received ${named(one)}`);
     onIntent([], load, options); // checks them
     for (const one of found)

@@ -105,6 +105,13 @@ export class Shares {
     return this.#shares[place] ?? 0;
   }
 
+  /** The places of the elements of at least this share. @param {number} least */
+  likely(least) {
+    const found = [];
+    for (let i = 0; i < this.entries.length; i += 1) if (this.#shares[i] >= least) found.push(i);
+    return found;
+  }
+
   /**
    * Uses the events of a frame.
    * @param {number[][]} rows t, x, y, dx, dy, buttons @param {(row: number[], begins: boolean) => void} use is called with each before,

@@ -322,9 +322,14 @@ export class Tracker {
       count = entries.length;
     this.#next = (first + A_FRAME) % count;
     let changed = false;
-    for (let i = 0; i < count; i += 1)
-      if (scrolled || (i - first + count) % count < A_FRAME || this.#shares.share(i) >= LIKELY)
-        changed = entries[i].measure() || changed;
+    const measure = (i) => {
+      changed = entries[i].measure() || changed;
+    };
+    if (scrolled) entries.forEach((_, i) => measure(i));
+    else {
+      for (let k = 0; k < Math.min(A_FRAME, count); k += 1) measure((first + k) % count);
+      this.#shares.likely(LIKELY).forEach(measure);
+    }
     if (changed) this.#shares.replace(entries);
   }
 
