@@ -218,9 +218,11 @@ def test_a_firing_says_what_was_compared_with_its_threshold(page: IntentPage) ->
     found = page.value(
         "firings.map(({ policy, reason, score, threshold }) => [policy, reason, score, threshold])"
     )
-    assert [one[:2] for one in found] == [["prefetch", "predicted"], ["highlight", "predicted"]]
-    assert [one[3] for one in found] == [0.4, 0.6]
-    assert all(one[3] <= one[2] <= 1.0 for one in found)
+    assert {(policy, reason): threshold for policy, reason, _, threshold in found} == {
+        ("prefetch", "predicted"): 0.4,
+        ("highlight", "predicted"): 0.6,
+    }
+    assert all(threshold <= score <= 1.0 for _, _, score, threshold in found)
     assert page.value("told.map(({ score, threshold }) => [score, threshold])") == [one[2:] for one in found]
 
 

@@ -29,12 +29,12 @@ export const isAsked = ({ askedAt }) => performance.now() - askedAt < FRESH_MS;
  * @param {Page} page @param {"prefetch"|"prerender"} action @param {string|undefined} nonce of the page's policy
  */
 export function ask(page, action, nonce) {
-  page.askedAt = performance.now();
   if (takesRules(nonce)) addRule(page, action, nonce);
   else if (document.createElement("link").relList.supports("prefetch")) {
     waiting.push(page.address);
     loadNext();
   }
+  page.askedAt = performance.now();
 }
 
 /** Whether rules may be added; to try would be reported as a violation where they are refused. */
