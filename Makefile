@@ -13,7 +13,7 @@ OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
 COMPILED = . $(if $(OBSERVERS_LAWS),./observers)
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers sanitize laws wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers sanitize laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -72,6 +72,10 @@ laws:  ## after a change of a law: write its C and JavaScript, compile what chan
 	$(BIN)/python -m translation
 	for folder in . observers; do (cd "$$folder" && '$(CURDIR)/$(BIN)/python' setup.py -q build_ext --inplace $(FORCE)) || exit; done
 	touch $(RUNS) $(READY)
+
+package: $(MODULES)  ## pack the npm package, with its files for a script tag, into dist
+	mkdir -p dist
+	cd server/pointpred_server/web/lib && npm pack --silent --pack-destination '$(CURDIR)/dist'
 
 wheels: $(READY) $(ZIG)  ## build every wheel and source distribution into dist, with zig for Linux, macOS and Windows
 	rm -rf dist

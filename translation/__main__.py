@@ -7,7 +7,7 @@ from pathlib import Path
 
 os.environ["POINTPRED_COMPILED"] = "0"  # what is translated is read from the functions in Python
 
-from translation import c_files, modules
+from translation import c_files, entries, modules
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDERS = {
@@ -15,8 +15,10 @@ FOLDERS = {
     "pointpred_observers": ROOT / "observers" / "pointpred_observers" / "laws",
 }
 """Where the C of each distribution lies."""
+LIB = ROOT / "server" / "pointpred_server" / "web" / "lib"
 
 if __name__ == "__main__":
     for package, folder in FOLDERS.items():
         c_files.write(package, folder)
-    modules.write(ROOT / "server" / "pointpred_server" / "web" / "lib" / "laws")
+    modules.write(LIB / "laws")
+    entries.write(LIB / "entries")

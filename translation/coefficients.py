@@ -1,4 +1,4 @@
-"""The coefficients of the learned predictor as a module of the page: a text, for `coefficients.js` to unpack."""
+"""The coefficients of the learned predictor as a module of the page: a text that is unpacked there."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ import numpy as np
 import pointpred
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.stage import CompiledStage
-from translation import stages
+from translation import entries, stages
 from translation.coefficients import coefficients_text
 from translation.expressions import is_constant, number
 from translation.javascript import Law
@@ -48,6 +48,8 @@ def texts() -> dict[str, bytes]:
     files["messages.js"] = messages_text().encode()
     files["fields.js"] = fields_text().encode()
     files["descriptions.js"] = stages.descriptions_text().encode()
+    files["registry.d.ts"] = entries.types_text().encode()
+    files |= {name: text.encode() for name, text in entries.registry_texts().items()}
     files["registry.js"] = stages.registry_text(pointpred.__version__).encode()
     files[stages.COEFFICIENTS] = coefficients_text(coefficient_file.read(coefficient_file.OWN)).encode()
     here = Path(__file__).parent

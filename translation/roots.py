@@ -11,7 +11,7 @@ from translation.source import Name
 
 WEB = Path(__file__).resolve().parent.parent / "server" / "pointpred_server" / "web"
 LAWS = "lib/laws/"
-OTHERS = ("lib/laws/", "page/vendor/")
+OTHERS = ("lib/laws/", "lib/entries/", "page/vendor/")
 """Folders of modules that are not the page's own."""
 HAND_WRITTEN = ("arithmetic.js", "coefficients.js")
 """Files beside the translator that go into the folder of laws as they are."""
@@ -47,13 +47,18 @@ def _module(folder: str, address: str) -> str:
     """The Python module of an address; empty for one that is not made of laws."""
     path = posixpath.normpath(posixpath.join(folder, address))
     file = path.removeprefix(LAWS)
-    made = path.startswith(LAWS) and file not in (
-        *HAND_WRITTEN,
-        "kinematic.js",
-        "registry.js",
-        "descriptions.js",
-        "messages.js",
-        "fields.js",
+    made = (
+        path.startswith(LAWS)
+        and not file.startswith("only/")
+        and file
+        not in (
+            *HAND_WRITTEN,
+            "kinematic.js",
+            "registry.js",
+            "descriptions.js",
+            "messages.js",
+            "fields.js",
+        )
     )
     return f"pointpred.{file.removesuffix('.js').replace('/', '.')}" if made else ""
 

@@ -19,8 +19,6 @@ from translation.source import Name, is_law
 
 COEFFICIENTS = "kinematic.js"
 """The module of coefficients in the folder of laws."""
-FIRST = "minimum-jerk"
-"""Predicts in a page until the recommended one is loaded: it needs no coefficients."""
 LOAD_COEFFICIENTS = f'() => import("./{COEFFICIENTS}").then((one) => one.COEFFICIENTS)'
 LONGEST_GROUP = 16
 """Slots of a group that comes again and again, such as those of a place, at most."""
@@ -72,8 +70,7 @@ def registry_text(version: str) -> str:
         "// Written by `make laws` from the registry: change that and run it again.",
         f"export const VERSION = {json.dumps(version)};",
         f"export const RECOMMENDED = {json.dumps(RECOMMENDED)};",
-        f"export const FIRST = {json.dumps(FIRST)};",
-        f"export const GAINS = {_object(GAINS)};",
+        f"export const GAINS = {object_text(GAINS)};",
         "export const PREDICTORS = {",
     ]
     for entry in REGISTRY.values():
@@ -153,15 +150,16 @@ def _parameter(one: Parameter) -> str:
     whole = {"whole": True} if one.whole else {}
     given = {} if one.default is REQUIRED else {"default": one.default}
     bounds = {"name": one.name, **({"unit": one.unit} if one.unit else {}), "low": one.low, "high": one.high}
-    return _object(bounds | given | whole | absent)
+    return object_text(bounds | given | whole | absent)
 
 
 def _slot(slot: Any) -> str:
     whole = {"whole": True} if slot.whole else {}
-    return _object({"name": slot.name, "count": slot.count, "low": slot.low, "high": slot.high} | whole)
+    return object_text({"name": slot.name, "count": slot.count, "low": slot.low, "high": slot.high} | whole)
 
 
-def _object(values: dict[str, Any]) -> str:
+def object_text(values: dict[str, Any]) -> str:
+    """An object of numbers and words."""
     return (
         "{ " + ", ".join(f"{key}: {_value(value)}" for key, value in values.items()) + " }"
         if values
@@ -173,7 +171,7 @@ def _value(value: Any) -> str:
     if isinstance(value, bool | int | float):
         return number(value).text
     if isinstance(value, dict):
-        return _object(value)
+        return object_text(value)
     return json.dumps(value)
 
 

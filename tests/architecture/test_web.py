@@ -8,7 +8,7 @@ import re
 from tests.architecture.tree import ROOT
 
 WEB = ROOT / "server" / "pointpred_server" / "web"
-PACKAGE = ("laws", "prediction", "client", "pointpred.js", "intent", "index.js")
+PACKAGE = ("laws", "prediction", "client", "pointpred.js", "intent", "entries", "index.js", "script")
 PAGE = (
     *("vendor", "shell", "drawing", "service", "live", "circle", "replay", "assist", "device", "page.js"),
     "example.js",

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from pointpred.compiled import COMPILED
+from translation.entries import entry_texts
 from translation.modules import texts, write
 
 ROOT = Path(__file__).parents[2]
@@ -43,6 +44,13 @@ def test_the_javascript_in_the_repository_is_up_to_date() -> None:
     assert present == set(expected), "run `make laws`"
     for name, content in expected.items():
         assert (PAGE / name).read_bytes() == content, f"{name} is out of date: run `make laws`"
+
+
+def test_the_entries_in_the_repository_are_up_to_date() -> None:
+    expected = entry_texts()
+    assert {path.name for path in (PAGE.parent / "entries").iterdir()} == set(expected), "run `make laws`"
+    for name, text in expected.items():
+        assert (PAGE.parent / "entries" / name).read_text("utf-8") == text, f"{name}: run `make laws`"
 
 
 def test_writing_removes_what_is_no_longer_made(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ import pytest
 
 from tests.hosts import file_host
 from tests.intent.conftest import LIB, StaticHost
+from tests.intent.packed import pack
 from tests.intent.page import IntentPage
 from tests.server import browser
 from tests.server.page_browser import Visitor
@@ -43,10 +44,8 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     if fetched.returncode:
         pytest.skip(f"npm cannot fetch the frameworks: {fetched.stderr.strip()[-200:]}")
-    packed = subprocess.run(
-        ["npm", "pack", "--silent", str(LIB)], cwd=folder, capture_output=True, text=True, check=True
-    )
-    install = ["npm", "install", "--silent", "--no-audit", "--no-fund", f"./{packed.stdout.split()[-1]}"]
+    tarball = pack(tmp_path_factory.mktemp("packed"))
+    install = ["npm", "install", "--silent", "--no-audit", "--no-fund", str(tarball)]
     subprocess.run(install, cwd=folder, capture_output=True, check=True, timeout=300)
     (folder / "entry.js").write_text(BUNDLE)
     command = [

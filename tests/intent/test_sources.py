@@ -16,15 +16,11 @@ from tests.server.page_browser import Visitor
 
 pytestmark = browser.needed
 
-WITHOUT_COEFFICIENTS = [
-    name for name, entry in REGISTRY.items() if not hasattr(entry.predictor, "coefficients")
-]
-
 COMPARE = """
-Promise.all(["intent/small-source", "prediction/build", "laws/registry"]
+Promise.all(["intent/page-source", "prediction/build", "laws/registry"]
   .map((name) => import(`/pointpred/${name}.js`)))
-  .then(async ([{ small: source }, { build }, { REGISTRY }]) => {
-    const [small, whole] = await Promise.all([source(REGISTRY, "NAME").open(), build("NAME")]);
+  .then(async ([{ inPage }, { build }, { REGISTRY }]) => {
+    const [small, whole] = await Promise.all([inPage(REGISTRY, "NAME").open(), build("NAME")]);
     const different = [];
     let claims = 0;
     for (let i = 0; i < 400; i += 1) {
@@ -39,8 +35,8 @@ Promise.all(["intent/small-source", "prediction/build", "laws/registry"]
   })"""
 
 
-@pytest.mark.parametrize("name", WITHOUT_COEFFICIENTS)
-def test_the_small_source_predicts_what_build_does(page: IntentPage, name: str) -> None:
+@pytest.mark.parametrize("name", REGISTRY)
+def test_the_source_of_a_page_predicts_what_build_does(page: IntentPage, name: str) -> None:
     claims, different = page.value(COMPARE.replace("NAME", name))
     assert claims > 70, "some claim nothing before the peak of the speed"
     assert different == 0

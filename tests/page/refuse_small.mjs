@@ -1,7 +1,7 @@
-// The small source with stages that count their rows: the predictor refuses rows whose second number is 1, the differentiator 2.
+// The source of a page with stages that count their rows: the predictor refuses rows whose second number is 1, the differentiator 2.
 // Gives for each row what both have counted, null where it is refused.
 
-import { small } from "../../server/pointpred_server/web/lib/intent/small-source.js";
+import { inPage } from "../../server/pointpred_server/web/lib/intent/page-source.js";
 import { answer, given } from "./given.mjs";
 
 const counting = (wrong) => ({
@@ -22,5 +22,5 @@ const registry = {
   PREDICTORS: { counting: { differentiator: "counting", load: async () => counting(1) } },
 };
 const { rows } = await given(),
-  source = await small(registry, "counting").open();
+  source = await inPage(registry, "counting").open();
 answer(rows.map((row) => source.add(row)?.slice(2) ?? null));

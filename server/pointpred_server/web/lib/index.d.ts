@@ -1,5 +1,9 @@
 // Types of the npm package `pointpred`.
 
+import type { OwnParameters, PredictorName, SharedParameters } from "./laws/registry.js";
+
+export type { PredictorName };
+
 /** Why it fired. */
 export type Reason =
   /** The movement of the pointer heads for the element. */
@@ -51,7 +55,7 @@ export interface IntentOptions {
    * A name of the registry of predictors: `"kinematic-adaptive"` by default; `"minimum-jerk"` and `"switched-direction"` are small.
    * The default is loaded when the page is idle. Until then `"minimum-jerk"` predicts, to the end of a movement.
    */
-  predictor?: string;
+  predictor?: PredictorName;
   /** The address of a service that predicts instead of the page. */
   service?: string;
   /** Prefetch what so many presses of Tab reach; 2 by default, 0 for none. The focus itself always counts. */
@@ -272,11 +276,17 @@ export interface Pipeline {
   fresh(): Pipeline;
 }
 
-/** A pipeline by its name in the registry, with values for its parameters; `targets`: what can be pointed at. */
-export function build(
-  name: string,
-  options?: { targets?: readonly Target[]; person?: string; [parameter: string]: unknown },
-): Promise<Pipeline>;
+/** What can be set of a pipeline: the parameters of its predictor and of its differentiator, and more. */
+export type BuildOptions<Name extends PredictorName = PredictorName> = SharedParameters &
+  OwnParameters[Name] & {
+    /** What can be pointed at. */
+    targets?: readonly Target[];
+    /** What `person` of an earlier pipeline of this name was. */
+    person?: string;
+  };
+
+/** A pipeline by its name in the registry. */
+export function build<Name extends PredictorName>(name: Name, options?: BuildOptions<Name>): Promise<Pipeline>;
 
 export interface Ellipse {
   x: number;
@@ -313,5 +323,36 @@ export interface Connection {
   close(): void;
 }
 
+export interface ConnectOptions {
+  /** `"kinematic-adaptive"` by default. A service may know more of them. */
+  predictor?: PredictorName | (string & {});
+  /** Of the predictor and its differentiator. */
+  parameters?: Record<string, number | string | boolean>;
+  device?: { cpi?: number; rate_hz?: number };
+  /** 96 px per inch and this screen by default. */
+  screen?: { width_px?: number; height_px?: number; dpi?: number };
+  /** One prediction per message (default), or one per event. */
+  reply?: "frame" | "event";
+  encoding?: "binary" | "json";
+  /** The service moves the cursor by the counts of events, assisted; needs `device.cpi` and counts. */
+  assist?: { strength?: number; rho?: number; function?: "constant" | "sigmoid"; gain?: number };
+  /** What an earlier session has learned about the person. */
+  person?: string;
+  /** Places where the person went before are proposed, while there are no targets. */
+  places?: boolean;
+  /** If the service asks for one. */
+  token?: string;
+  /** Predictions are made in the page, without a service. */
+  page?: boolean;
+  /** Whose pointer events are streamed; the window by default. */
+  element?: EventTarget;
+  /** `false`: only events passed to `send` are streamed. */
+  pointer?: boolean;
+  coordinates?: "client" | "screen";
+  targets?: (Target & { id: string })[];
+  /** Events kept while there is no connection; 8192 by default. */
+  queue?: number;
+}
+
 /** Opens a connection to a service and keeps it open. */
-export function connect(url?: string | URL, options?: Record<string, unknown>): Connection;
+export function connect(url?: string | URL, options?: ConnectOptions): Connection;

@@ -61,6 +61,7 @@
  */
 
 import { findRefusal, isOwn, socketAddress, warningFor } from "./client/address.js";
+import { needDocument } from "./client/document.js";
 import { EventQueue } from "./client/event-queue.js";
 import { decode, row, targetsFrame } from "./client/frames.js";
 import { PageChoices } from "./client/page-choices.js";
@@ -90,6 +91,7 @@ const NAMES = ["prediction", "cursor", "choice", "error", "state", "welcome", "s
  * @returns {Connection}
  */
 export function connect(url, options = {}) {
+  needDocument("connect");
   return new Connection(url, options);
 }
 

@@ -11,6 +11,7 @@ export type {
   PlaceFiring,
   PlaceHandle,
   PlaceOptions,
+  PredictorName,
   PrefetchLinkOptions,
   Reason,
   Sides,

@@ -8,12 +8,12 @@
  * each is loaded when it is needed.
  */
 
-import { FIRST, RECOMMENDED, REGISTRY } from "../laws/registry.js";
+import { REGISTRY as OF_FIRST } from "../laws/only/minimum-jerk.js";
+import { RECOMMENDED, REGISTRY } from "../laws/registry.js";
+import { inPage } from "./page-source.js";
 import { onPlaceWith } from "./places.js";
 import { prefetchLinkWith } from "./prefetch-link.js";
 import { onIntentWith, registerWith } from "./register.js";
-import { small } from "./small-source.js";
-import { whole } from "./whole-source.js";
 
 /** @type {import("./register.js").Offer} */
 const OFFER = {
@@ -21,8 +21,8 @@ const OFFER = {
   choices: { predictor: Object.keys(REGISTRY.PREDICTORS) },
   of({ predictor, service }) {
     if (service !== undefined) return served(predictor, service);
-    if (predictor === RECOMMENDED) return { ...whole(REGISTRY, predictor), first: small(REGISTRY, FIRST) };
-    return REGISTRY.PREDICTORS[predictor].coefficients ? whole(REGISTRY, predictor) : small(REGISTRY, predictor);
+    const first = predictor === RECOMMENDED ? inPage(OF_FIRST, "minimum-jerk") : undefined;
+    return { ...inPage(REGISTRY, predictor), first };
   },
 };
 

@@ -1,5 +1,6 @@
 // Proposals without registered elements: the places of a page where movements of the user ended before.
 
+import { needDocument } from "../client/document.js";
 import { PointerStream } from "../client/pointer-stream.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { claimed, isRefused, REMAINING_S } from "../prediction/row.js";
@@ -17,6 +18,7 @@ const TEXTS = ["page", "person", "store"];
  */
 export const onPlaceWith = (build) =>
   function onPlace(callback, options) {
+    needDocument("onPlace");
     if (typeof callback !== "function") throw new TypeError(`onPlace needs a function to call, received ${callback}`);
     return new Places(build, callback, optionsOf(options));
   };

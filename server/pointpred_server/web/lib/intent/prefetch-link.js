@@ -1,5 +1,6 @@
 // Loads the pages behind links when the user is heading for them.
 
+import { needDocument } from "../client/document.js";
 import { attempt } from "./firing-ledger.js";
 import { ask, isAsked, pageOf } from "./pages.js";
 import { listOf, named } from "./register.js";
@@ -23,6 +24,7 @@ const UNSAFE =
 export const prefetchLinkWith = (onIntent) => (links, options) => prefetch(onIntent, links, options);
 
 function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonce, watch = false, ...given } = {}) {
+  needDocument("prefetchLink");
   const { href, ignore = [], origins = [], ...options } = given;
   const rules = { href, ignores: [ignore].flat(), origins: [origins].flat() };
   check(links, { action, limit, watch, ...rules });

@@ -1,5 +1,6 @@
 // Registers elements with the tracker of their predictor; what may be said of an element: defaults, bounds, errors.
 
+import { needDocument } from "../client/document.js";
 import { THRESHOLD } from "../laws/targets/prefetch.js";
 import { Registration } from "./registration.js";
 import { Source } from "./source.js";
@@ -43,7 +44,7 @@ export const trackers = new Map();
 
 /**
  * The predictors that an entry of the package offers.
- * @typedef {{defaults: object, choices: Object<string, string[]>, of: (options: object) => import("./source.js").Predictor}} Offer
+ * @typedef {{defaults?: object, choices?: Object<string, string[]>, of: (options: object) => import("./source.js").Predictor}} Offer
  *   `defaults`, `choices`: the options that choose among them; `of`: the one that is chosen
  */
 
@@ -57,6 +58,7 @@ export const trackers = new Map();
  */
 export const onIntentWith = (offer) =>
   function onIntent(elements, callback, options, subjectOf) {
+    needDocument("onIntent");
     if (typeof callback !== "function") throw new TypeError(`onIntent needs a function to call, received ${callback}`);
     const handles = begin(offer, listOf(elements), callback, options, subjectOf);
     return () => handles.forEach(({ stop }) => stop());
@@ -69,6 +71,7 @@ export const onIntentWith = (offer) =>
  */
 export const registerWith = (offer) =>
   function register(element, options) {
+    needDocument("register");
     return begin(offer, [element], null, options)[0];
   };
 

@@ -1,5 +1,6 @@
 // What developers ask of a page: what has fired, and a picture of what is predicted.
 
+import { needDocument } from "../client/document.js";
 import { ledger as theLedger } from "./registration.js";
 
 /** What has fired so far: hits, unused firings and lead times. @returns {import("../index.d.ts").LedgerSummary} */
@@ -9,4 +10,8 @@ export const ledger = () => theLedger.summary();
 export const onLedger = (listener) => theLedger.subscribe(listener);
 
 /** Shows developers what is predicted; loads its module first. @returns {Promise<() => void>} hides it */
-export const showOverlay = async () => (await import("./overlay/overlay.js")).showOverlay();
+export async function showOverlay() {
+  needDocument("showOverlay");
+  const overlay = await import("./overlay/overlay.js");
+  return overlay.showOverlay();
+}

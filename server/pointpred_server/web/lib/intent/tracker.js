@@ -6,7 +6,9 @@ import { PointerStream } from "../client/pointer-stream.js";
 import { Proposals } from "../client/proposals.js";
 import { claimed, REMAINING_S } from "../prediction/row.js";
 import { Entry } from "./entry.js";
+import { reached } from "./keyboard.js";
 import { ledger } from "./registration.js";
+import { NearView, ScrollAhead } from "./scroll.js";
 import { Shares } from "./shares.js";
 
 const A_FRAME = 8; // elements measured in a frame without a scroll, besides the likely ones
@@ -355,7 +357,7 @@ export class Tracker {
   /** The focus has moved, or will: what the next presses reach is loaded ahead. */
   async #tab({ shiftKey, timeStamp }) {
     this.#visit += 1;
-    const [{ reached }] = await Promise.all([import("./keyboard.js"), new Promise((moved) => setTimeout(moved))]);
+    await new Promise((moved) => setTimeout(moved));
     reached(document.activeElement, shiftKey, MOST_PRESSES).forEach((element, press) => {
       const found = closest(element, (one) => this.#entries.get(one));
       if (found) this.#firePrefetch(found.id, "tab", { p: 1, t: timeStamp / 1000, press: press + 1 });
@@ -363,8 +365,7 @@ export class Tracker {
   }
 
   /** Fires what a scroll is about to bring into view. */
-  async #watchNear(element) {
-    const { NearView } = await import("./scroll.js");
+  #watchNear(element) {
     this.#near ??= new NearView((one) => this.#comeNear(one), this.#elements.inView, this.#stop.signal);
     this.#near.observe(element);
   }
@@ -375,9 +376,8 @@ export class Tracker {
   }
 
   /** A scroll that goes on while the pointer rests. */
-  async #scroll(entries) {
-    const { ScrollAhead } = await import("./scroll.js"),
-      t = performance.now() / 1000;
+  #scroll(entries) {
+    const t = performance.now() / 1000;
     this.#ahead ??= new ScrollAhead();
     for (const entry of this.#ahead.comingUnder(entries, this.#shares.cursor, t))
       this.#firePrefetch(entry, "scroll", { t, isSeen: () => !entry.isCovered, into: "pointer" });

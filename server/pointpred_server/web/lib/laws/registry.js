@@ -1,7 +1,6 @@
 // Written by `make laws` from the registry: change that and run it again.
 export const VERSION = "0.1.0";
 export const RECOMMENDED = "kinematic-adaptive";
-export const FIRST = "minimum-jerk";
 export const GAINS = { gain_lambda: 48, gain_xi: 1.6, alpha: 0 };
 export const PREDICTORS = {
   "hold": { differentiator: "homogeneous", load: () => import("./predictors/hold.js").then((one) => one.HoldPredictor) },

@@ -15,7 +15,7 @@ import { Stage } from "./stage.js";
  */
 
 /**
- * All predictors, as `../laws/registry.js` has them, or some.
+ * All predictors, as `../laws/registry.js` has them, or one, as `../laws/only/` has each.
  * @typedef {{GAINS: Object<string, number>, PREDICTORS: Object<string, object>, DIFFERENTIATORS: Object<string, object>}} Registry
  */
 

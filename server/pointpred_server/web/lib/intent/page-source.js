@@ -1,20 +1,25 @@
-// Predictions made in the page by a predictor that needs no coefficients, with the values of the registry.
+// Predictions made in the page by a predictor of a registry, with the values that the registry has for it.
 // `build` gives the same predictions; it also checks values of one's own, restores persons and says why an event is refused.
 
 import { isRefused } from "../prediction/row.js";
 
 /**
  * @param {import("../prediction/assembly.js").Registry} registry @param {string} name of it
- * @returns {import("./source.js").Predictor}
+ * @returns {import("./source.js").Predictor} what it still needs is loaded when it is opened
  */
-export const small = (registry, name) => ({ name, open: () => open(registry, name) });
+export const inPage = (registry, name) => ({ name, open: () => open(registry, name) });
 
 async function open({ DIFFERENTIATORS, GAINS, PREDICTORS }, name) {
-  const { differentiator: law, preset, load } = PREDICTORS[name],
-    values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
-  const kinds = await Promise.all([DIFFERENTIATORS[law].load(), load()]);
-  const [differentiator, predictor] = kinds.map((kind) => stageOf(kind, values)),
-    before = differentiator.memory.slice();
+  const { differentiator: law, preset, load, coefficients: loadCoefficients } = PREDICTORS[name];
+  const [ofMotion, ofEndpoint, coefficients] = await Promise.all([
+    DIFFERENTIATORS[law].load(),
+    load(),
+    loadCoefficients?.(),
+  ]);
+  const values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
+  const differentiator = stageOf(ofMotion, values);
+  const predictor = stageOf(ofEndpoint, values, coefficients);
+  const before = differentiator.memory.slice();
   return {
     add(row) {
       before.set(differentiator.memory);
@@ -30,11 +35,11 @@ async function open({ DIFFERENTIATORS, GAINS, PREDICTORS }, name) {
 }
 
 /** A law and a memory of its own. */
-function stageOf({ parameters, step, fill, settle, ...kind }, values) {
+function stageOf({ parameters, step, fill, settle, ...kind }, values, coefficients) {
   const settings = Float64Array.from(parameters, ({ name, default: usual, absent }) => values[name] ?? usual ?? absent);
   const [first, learned, states] = kind.sizes?.(settings) ?? [kind.settings, kind.learned, kind.states];
   const memory = new Float64Array(first + learned + states);
   fill(settings, memory);
   settle?.(memory);
-  return { memory, step: (row) => step(memory, row) };
+  return { memory, step: (row) => step(memory, row, coefficients) };
 }

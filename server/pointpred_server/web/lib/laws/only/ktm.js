@@ -1,0 +1,8 @@
+// Written by `make laws` from the registry: change that and run it again.
+import { HomogeneousDifferentiator } from "../differentiators/homogeneous.js";
+import { TemplatePredictor } from "../predictors/ktm.js";
+export const REGISTRY = {
+  GAINS: { gain_lambda: 48, gain_xi: 1.6, alpha: 0 },
+  PREDICTORS: { "ktm": { differentiator: "homogeneous", load: async () => TemplatePredictor } },
+  DIFFERENTIATORS: { "homogeneous": { load: async () => HomogeneousDifferentiator } },
+};
