@@ -1,7 +1,7 @@
 """Size of what a page loads, by entry.
 
 An entry is an export of the npm package and a predictor. Its modules are those that its imports reach,
-without what is loaded later (the overlay, the keyboard's order, what a scroll needs, a service) and
+without what is loaded later (the overlay, what the keyboard, a scroll and an image's map need, a service) and
 without other predictors. Two sizes, compressed with gzip: the modules one by one, as a static host sends
 the plain files; and, where npm can fetch esbuild, one minified file, as a bundler makes it.
 """
@@ -22,12 +22,11 @@ STATIC = re.compile(r'^(?:import|export)\b[^;"]*?from "(\.[^"]+)"', re.MULTILINE
 LATER = re.compile(r'import\("(\.[^"]+)"\)')
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 ON_DEMAND = (
+    "intent/later.js",
     "intent/overlay/",
-    "intent/keyboard.js",
-    "intent/scroll.js",
     "intent/service-source.js",
 )
-"""What a page loads only when somebody asks for it."""
+"""What a page loads when it is idle, or only when somebody asks for it."""
 ESBUILD = "esbuild@0.25.12"
 
 

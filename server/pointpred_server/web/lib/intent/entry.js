@@ -2,7 +2,6 @@
 
 import { ARMED } from "../laws/targets/prefetch.js";
 import { CENTRE_X, CENTRE_Y, FIELDS, HEIGHT, WIDTH } from "../laws/targets/rectangles.js";
-import { boxOf, imageOf } from "./area.js";
 
 const COVERED_MS = 250; // how long an answer of the hit test is used
 const UNUSABLE = ":disabled, [inert], [inert] *";
@@ -25,8 +24,10 @@ export class Entry {
   /** @param {Element} element */
   constructor(element) {
     this.element = element;
-    /** What of it is seen: the image of an area. */
-    this.shown = element instanceof HTMLAreaElement ? (imageOf(element) ?? element) : element;
+    /** What of it is seen: an area is in an image. */
+    this.shown = element;
+    /** Its rectangle, px of the viewport. @type {() => DOMRectReadOnly} */
+    this.box = () => element.getBoundingClientRect();
   }
 
   /** Takes the largest weight and slop of its registrations, and for each policy the lowest threshold. */
@@ -47,15 +48,9 @@ export class Entry {
     return [this.element.localName, Math.round(Math.log2(row[WIDTH])), Math.round(Math.log2(row[HEIGHT]))].join();
   }
 
-  get #box() {
-    return this.shown === this.element
-      ? this.element.getBoundingClientRect()
-      : boxOf(/** @type {HTMLAreaElement} */ (this.element), this.shown);
-  }
-
   /** Measures it. @returns {boolean} whether it was hidden before and is not now, or the reverse */
   measure() {
-    const { left, top, width, height } = this.#box,
+    const { left, top, width, height } = this.box(),
       [up, right, down, back] = this.#slop,
       { row, isHidden } = this;
     this.isHidden = !(width > 0 && height > 0 && this.weight > 0 && (this.shown.checkVisibility?.(SEEN) ?? true));
@@ -74,7 +69,7 @@ export class Entry {
   /** Whether something else, such as a dialog, lies over its middle. */
   get isCovered() {
     if (performance.now() - this.#coveredAt < COVERED_MS) return this.#covered;
-    const { left, top, right, bottom } = this.#box;
+    const { left, top, right, bottom } = this.box();
     const middle = (low, high, most) => 0.5 * (Math.max(low, 0) + Math.min(high, most));
     const hit = this.#hit(middle(left, right, innerWidth), middle(top, bottom, innerHeight));
     this.#coveredAt = performance.now();

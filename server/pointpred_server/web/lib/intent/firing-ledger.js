@@ -1,7 +1,6 @@
 // The ledger of what fired: the callbacks of registered elements, and which of these were used.
 
-import { Leads } from "../prediction/leads.js";
-
+const MOST_LEADS = 1000;
 const MOST_NAMES = 500; // names beyond are counted in the totals only
 
 /**
@@ -19,42 +18,22 @@ export function attempt(call, onError = reportError) {
   }
 }
 
-/** Counts of one name, or of all. */
-class Counts {
-  withheld = 0;
-  withdrawn = 0;
-  leads = new Leads();
-  #reasons = {};
-
-  /** @param {string} reason @param {"fired"|"hit"} what */
-  add(reason, what) {
-    this.#reasons[reason] ??= { fired: 0, hit: 0 };
-    this.#reasons[reason][what] += 1;
-  }
-
-  /** @returns {import("../index.d.ts").Counts} */
-  summary() {
-    const { withheld, withdrawn } = this,
-      reasons = {},
-      all = { fired: 0, hit: 0, wasted: 0 };
-    for (const [reason, { fired, hit }] of Object.entries(this.#reasons)) {
-      reasons[reason] = { fired, hit, wasted: fired - hit };
-      for (const what in all) all[what] += reasons[reason][what];
-    }
-    return { ...all, withheld, withdrawn, lead_s: this.leads.summary, reasons };
-  }
-}
+/**
+ * Counts of one name, or of all; `leads`: from firing to use, s, of the newest hits.
+ * @returns {{withheld: number, withdrawn: number, leads: number[], reasons: Object<string, {fired: number, hit: number}>}}
+ */
+const nothing = () => ({ withheld: 0, withdrawn: 0, leads: [], reasons: {} });
 
 /** Counts the firings of registered elements, and which of these were used. */
 export class FiringLedger {
-  #all = new Counts();
-  #names = new Map();
+  all = nothing();
+  /** @type {Map<string, ReturnType<typeof nothing>>} */ names = new Map();
   #open = new WeakMap();
   #listeners = new Set();
 
   /** @param {import("./registration.js").Registration} registration @param {import("../index.d.ts").Firing} firing */
   fire(registration, firing) {
-    for (const counts of this.#countsOf(registration)) counts.add(firing.reason, "fired");
+    for (const counts of this.#countsOf(registration)) reasonOf(counts, firing).fired += 1;
     const subject = registration.subject();
     this.#open.set(subject, (this.#open.get(subject) ?? new Map()).set(registration, firing));
     this.#tell("fired", registration, firing);
@@ -81,8 +60,9 @@ export class FiringLedger {
     for (const [registration, firing] of open ?? []) {
       const lead_s = Math.max(0, t - firing.t);
       for (const counts of this.#countsOf(registration)) {
-        counts.add(firing.reason, "hit");
-        counts.leads.add(lead_s);
+        reasonOf(counts, firing).hit += 1;
+        counts.leads.push(lead_s);
+        if (counts.leads.length > MOST_LEADS) counts.leads.shift();
       }
       this.#tell("hit", registration, { ...firing, t, lead_s });
     }
@@ -94,16 +74,10 @@ export class FiringLedger {
     return () => this.#listeners.delete(listener);
   }
 
-  /** @returns {import("../index.d.ts").LedgerSummary} */
-  summary() {
-    const names = Object.fromEntries([...this.#names].map(([name, counts]) => [name, counts.summary()]));
-    return { ...this.#all.summary(), names };
-  }
-
   #countsOf({ name }) {
-    if (!name) return [this.#all];
-    if (!this.#names.has(name) && this.#names.size < MOST_NAMES) this.#names.set(name, new Counts());
-    return this.#names.has(name) ? [this.#all, this.#names.get(name)] : [this.#all];
+    if (!name) return [this.all];
+    if (!this.names.has(name) && this.names.size < MOST_NAMES) this.names.set(name, nothing());
+    return this.names.has(name) ? [this.all, this.names.get(name)] : [this.all];
   }
 
   #tell(kind, { element, name, options: { policy } }, { reason, p, score, threshold, t, lead_s = null }) {
@@ -111,3 +85,5 @@ export class FiringLedger {
     for (const listener of this.#listeners) attempt(() => listener(entry));
   }
 }
+
+const reasonOf = ({ reasons }, { reason }) => (reasons[reason] ??= { fired: 0, hit: 0 });

@@ -6,20 +6,21 @@ import { Registration } from "./registration.js";
 import { Source } from "./source.js";
 import { Tracker } from "./tracker.js";
 
-const CHOICES = {
+/** What an option may be: one of some words or kinds of values, or a number between two. */
+const KNOWN = {
   policy: ["prefetch", "highlight"],
   touch: ["start", "viewport", "none"],
   scroll: ["pointer", "view", "none"],
   saveData: ["respect", "ignore"],
-};
-const NUMBERS = {
+  enabled: ["a boolean", "a function"],
+  attributes: ["a boolean"],
+  onError: ["a function", "a undefined"],
   priority: [0, 1e6],
-  threshold: [Number.MIN_VALUE, 1],
+  threshold: [1e-6, 1],
   again_s: [0, Infinity],
   keyboard: [0, 20],
   dwell_s: [0, 60],
 };
-const KINDS = { enabled: ["boolean", "function"], attributes: ["boolean"], onError: ["function", "undefined"] };
 const DEFAULTS = {
   policy: "prefetch",
   name: "",
@@ -37,7 +38,7 @@ const DEFAULTS = {
   attributes: false,
   onError: undefined,
 };
-const SIDES = ["top", "right", "bottom", "left"];
+const NO_SLOP = { top: 0, right: 0, bottom: 0, left: 0 };
 
 /** The trackers in use, by their predictor and service. @type {Map<string, Tracker>} */
 export const trackers = new Map();
@@ -136,32 +137,31 @@ function optionsOf({ defaults, choices }, given = {}) {
     if (!(name in options)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(options).join(", ")}`);
     if (value !== undefined) options[name] = value;
   }
-  for (const [name, known] of Object.entries({ ...CHOICES, ...choices }))
-    if (!known.includes(options[name]))
-      throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${options[name]}`);
-  for (const [name, [low, high]] of Object.entries(NUMBERS)) checkNumber(name, options[name], low, high);
-  for (const [name, kinds] of Object.entries(KINDS))
-    if (!kinds.includes(typeof options[name]))
-      throw new TypeError(`${name} must be a ${kinds.join(" or ")}, received ${options[name]}`);
+  for (const [name, known] of Object.entries({ ...KNOWN, ...choices })) {
+    const value = options[name];
+    if (typeof known[0] === "number") checkNumber(name, value, known);
+    else if (!known.includes(value) && !known.includes(`a ${typeof value}`))
+      throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${value}`);
+  }
   options.once ??= options.policy === "prefetch";
   options.hitSlop = sidesOf(options.hitSlop);
   return options;
 }
 
-function checkNumber(name, value, low, high) {
+function checkNumber(name, value, [low, high]) {
   if (!(typeof value === "number" && value >= low && value <= high))
-    throw new RangeError(
-      `${name} must be a number in ${low === Number.MIN_VALUE ? "(0" : `[${low}`}, ${high}], received ${value}`,
-    );
+    throw new RangeError(`${name} must be a number in [${low}, ${high}], received ${value}`);
 }
 
 /** Of each side, how far the element counts beyond it, px. */
 function sidesOf(slop) {
-  const given =
-    typeof slop === "object" && slop !== null ? slop : Object.fromEntries(SIDES.map((side) => [side, slop]));
-  for (const side of Object.keys(given))
-    if (!SIDES.includes(side)) throw new TypeError(`unknown side ${side} of hitSlop; known: ${SIDES.join(", ")}`);
-  const sides = Object.fromEntries(SIDES.map((side) => [side, given[side] ?? 0]));
-  for (const side of SIDES) checkNumber(`hitSlop ${side}`, sides[side], 0, 10000);
+  const sides = { ...NO_SLOP };
+  const given = Object(slop) === slop ? slop : { top: slop, right: slop, bottom: slop, left: slop };
+  for (const [side, px] of Object.entries(given)) {
+    if (!(side in NO_SLOP))
+      throw new TypeError(`unknown side ${side} of hitSlop; known: ${Object.keys(NO_SLOP).join(", ")}`);
+    sides[side] = px ?? 0;
+    checkNumber(`hitSlop ${side}`, sides[side], [0, 10000]);
+  }
   return sides;
 }

@@ -6,10 +6,9 @@ import { PointerStream } from "../client/pointer-stream.js";
 import { Proposals } from "../client/proposals.js";
 import { claimed, REMAINING_S } from "../prediction/row.js";
 import { Entry } from "./entry.js";
-import { reached } from "./keyboard.js";
 import { ledger } from "./registration.js";
-import { NearView, ScrollAhead } from "./scroll.js";
 import { Shares } from "./shares.js";
+import { idle } from "./source.js";
 
 const A_FRAME = 8; // elements measured in a frame without a scroll, besides the likely ones
 const LIKELY = 0.02; // an element of this share is measured in each frame
@@ -23,6 +22,9 @@ const RIGHT = 2; // the button that opens a menu
  * Why something fires: `score` is what was compared with `threshold`, null where nothing was.
  * @typedef {{reason: string, p: number, score: number|null, threshold: number|null, t: number, remaining_s: number|null}} Cause
  */
+
+/** What is seldom needed at once; it is there before it is needed, where the page is ever idle. */
+const later = () => import("./later.js");
 
 /** Registered elements that share a predictor. */
 export class Tracker {
@@ -81,6 +83,7 @@ export class Tracker {
     const listen = (name, handle) => window.addEventListener(name, handle, { signal, capture: true, passive: true });
     for (const name of ["click", "auxclick"]) listen(name, (event) => this.#activate(event));
     listen("keydown", (event) => event.key === "Tab" && this.#tab(event));
+    idle().then(() => signal.aborted || later());
   }
 
   /** @param {import("./registration.js").Registration} registration */
@@ -92,7 +95,7 @@ export class Tracker {
     this.#entries.set(element, entry);
     this.#count += 1;
     this.#changed = true;
-    if (entry.shown !== element) this.#areas.set(entry.shown, (this.#areas.get(entry.shown) ?? new Set()).add(entry));
+    if (element.localName === "area" && entry.shown === element) this.#showArea(entry);
     this.#elements.observe(entry.shown);
     if (registration.options.scroll === "view") this.#watchNear(entry.shown);
     this.#pageChoices.update();
@@ -142,6 +145,20 @@ export class Tracker {
         share: this.#shares.share(i),
       })),
     };
+  }
+
+  /** An area of an image has no box of its own: what is seen of it is the image. */
+  async #showArea(entry) {
+    const { boxOf, imageOf } = await later(),
+      { element } = entry,
+      image = imageOf(element);
+    if (image === null || !this.#entries.has(element)) return;
+    entry.shown = image;
+    entry.box = () => boxOf(element, image);
+    this.#areas.set(image, (this.#areas.get(image) ?? new Set()).add(entry));
+    this.#elements.unobserve(element);
+    this.#elements.observe(image);
+    if ([...entry.registrations].some(({ options }) => options.scroll === "view")) this.#watchNear(image);
   }
 
   #close() {
@@ -357,7 +374,7 @@ export class Tracker {
   /** The focus has moved, or will: what the next presses reach is loaded ahead. */
   async #tab({ shiftKey, timeStamp }) {
     this.#visit += 1;
-    await new Promise((moved) => setTimeout(moved));
+    const [{ reached }] = await Promise.all([later(), new Promise((moved) => setTimeout(moved))]);
     reached(document.activeElement, shiftKey, MOST_PRESSES).forEach((element, press) => {
       const found = closest(element, (one) => this.#entries.get(one));
       if (found) this.#firePrefetch(found.id, "tab", { p: 1, t: timeStamp / 1000, press: press + 1 });
@@ -365,7 +382,8 @@ export class Tracker {
   }
 
   /** Fires what a scroll is about to bring into view. */
-  #watchNear(element) {
+  async #watchNear(element) {
+    const { NearView } = await later();
     this.#near ??= new NearView((one) => this.#comeNear(one), this.#elements.inView, this.#stop.signal);
     this.#near.observe(element);
   }
@@ -376,8 +394,9 @@ export class Tracker {
   }
 
   /** A scroll that goes on while the pointer rests. */
-  #scroll(entries) {
-    const t = performance.now() / 1000;
+  async #scroll(entries) {
+    const { ScrollAhead } = await later(),
+      t = performance.now() / 1000;
     this.#ahead ??= new ScrollAhead();
     for (const entry of this.#ahead.comingUnder(entries, this.#shares.cursor, t))
       this.#firePrefetch(entry, "scroll", { t, isSeen: () => !entry.isCovered, into: "pointer" });
