@@ -1452,7 +1452,7 @@ double targets_prefetch_score(targets_cursor_State * s, Vector row, double share
   return total;
 }
 
-/* How likely a visit must be at least for ``score`` to reach the lowest threshold, wherever the target lies. */
+/* How likely a visit must be at least for ``score`` to reach the lowest threshold, wherever it is. */
 double targets_prefetch_least_visit(double lowest, targets_prefetch_Expected expected, targets_prefetch_Settings * settings) {
   double soon, late, most;
   soon = log(targets_prefetch_REFERENCE_S / targets_prefetch_SHORTEST_S);
@@ -1515,7 +1515,10 @@ int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targ
     if (fired.p[i] == targets_prefetch_RESTING) {
       fired.p[i] = targets_prefetch_ARMED;
     }
-    if (fired.p[i] != targets_prefetch_ARMED || !moves || (targets_prefetch_SMALLEST < least && visits.p[i] < least)) {
+    if (fired.p[i] != targets_prefetch_ARMED || !moves) {
+      continue;
+    }
+    if (least > targets_prefetch_SMALLEST && visits.p[i] < least) {
       continue;
     }
     reached = targets_prefetch_score(&s->cursor, (Vector){table.p + i * table.m, table.m}, shares.p[i], visits.p[i], expected, settings);

@@ -168,7 +168,7 @@ def score(
 
 @law
 def least_visit(lowest: float, expected: Expected, settings: Settings) -> float:
-    """How likely a visit must be at least for ``score`` to reach the lowest threshold, wherever the target lies."""
+    """How likely a visit must be at least for ``score`` to reach the lowest threshold, wherever it is."""
     soon, late = log(REFERENCE_S / SHORTEST_S), log(LONGEST_S / REFERENCE_S)
     most = max(settings.near * soon, -settings.near * late) + max(-settings.far, 0.0) * soon * soon
     most += max(settings.end * log(SMALLEST), 0.0) + settings.base + ROUNDING
@@ -227,8 +227,10 @@ def step(s: State, targets: Targets, shares: FloatArray, settings: Settings) -> 
             continue
         if fired[i] == RESTING:
             fired[i] = ARMED
-        if fired[i] != ARMED or not moves or SMALLEST < least and visits[i] < least:
+        if fired[i] != ARMED or not moves:
             continue
+        if least > SMALLEST and visits[i] < least:
+            continue  # nothing else can make up for that: most targets
         reached = score(s.cursor, table[i], shares[i], visits[i], expected, settings)
         if reached >= log_odds(thresholds[i]):
             fired[i], count = PREDICTED, count + 1

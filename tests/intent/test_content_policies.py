@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from http.server import SimpleHTTPRequestHandler
+from typing import ClassVar
 
 import pytest
 
@@ -33,9 +34,9 @@ prefetchLink("a", { predictor: "minimum-jerk", nonce: nonce || undefined });"""
 
 
 class Site(Silent, SimpleHTTPRequestHandler):
-    """A page for each policy, by its headers or, with ``meta``, in itself; notes which pages were asked for."""
+    """A page for each policy, by its headers or, with ``meta``, in itself; notes what was asked for."""
 
-    asked: list[str] = []
+    asked: ClassVar[list[str]] = []
 
     def do_GET(self) -> None:
         path, _, query = self.path.partition("?")
@@ -50,16 +51,18 @@ class Site(Silent, SimpleHTTPRequestHandler):
         else:
             kind, _, way = path.strip("/").partition("/")
             policy = POLICIES.get(kind, "")
-            meta = (
-                f'<meta http-equiv="Content-Security-Policy" content="{policy}">' if way == "meta" else ""
-            )
+            meta = f'<meta http-equiv="Content-Security-Policy" content="{policy}">' if way == "meta" else ""
             sent = {} if way == "meta" or not policy else {"Content-Security-Policy" + way: policy}
             self.answer(PAGE.replace("NONCE", query).replace("META", meta), "text/html", sent)
 
     def answer(self, text: str, kind: str, headers: dict[str, str] | None = None) -> None:
         body = text.encode()
         self.send_response(200)
-        for name, value in {"Content-Type": kind, "Content-Length": str(len(body)), **(headers or {})}.items():
+        for name, value in {
+            "Content-Type": kind,
+            "Content-Length": str(len(body)),
+            **(headers or {}),
+        }.items():
             self.send_header(name, value)
         self.end_headers()
         self.wfile.write(body)

@@ -135,13 +135,14 @@ def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage)
         ("onIntent(document.body)", "onIntent needs a function to call, received undefined"),
         ("onIntent('#a', () => {})", "an element of the page is needed, received #a"),
         ("watch(document.body, { treshold: 1 })", "unknown option treshold; known: policy, "),
-        ("watch(document.body, { threshold: 2 })", "threshold must be a number in (0, 1], received 2"),
-        ("watch(document.body, { threshold: 0 })", "threshold must be a number in (0, 1], received 0"),
+        ("watch(document.body, { threshold: 2 })", "threshold must be a number in [0.000001, 1], received 2"),
+        ("watch(document.body, { threshold: 0 })", "threshold must be a number in [0.000001, 1], received 0"),
         ("watch(document.body, { hitSlop: '8' })", "hitSlop top must be a number in [0, 10000], received 8"),
         ("watch(document.body, { hitSlop: { up: 8 } })", "unknown side up of hitSlop; known: top, right, "),
-        ("watch(document.body, { enabled: 1 })", "enabled must be a boolean or function, received 1"),
+        ("watch(document.body, { enabled: 1 })", "enabled must be one of a boolean, a function, received 1"),
         (
-            "onIntent(document.body.appendChild(document.createElement('iframe')).contentDocument.body, () => {})",
+            "const frame = document.createElement('iframe'); document.body.append(frame);"
+            "onIntent(frame.contentDocument.body, () => {})",
             "<body> belongs to the document of a frame: load pointpred there, too",
         ),
         (
@@ -183,7 +184,8 @@ def test_elements_of_a_list_are_registered_all_or_none(page: IntentPage) -> None
 
 def test_it_fires_only_while_it_is_enabled(page: IntentPage) -> None:
     page.make(
-        "window.isOn = false; watch(box('asked', 600, 500), { enabled: (element) => isOn && element === asked });"
+        "window.isOn = false; box('asked', 600, 500);"
+        "watch(asked, { enabled: (element) => isOn && element === asked });"
         "watch(box('off', 300, 500), { enabled: false })"
     )
     page.move((40, 40), (650, 530), 0.4)
@@ -198,8 +200,9 @@ def test_it_fires_only_while_it_is_enabled(page: IntentPage) -> None:
 
 def test_dwell_leaves_out_what_the_pointer_only_crosses(page: IntentPage) -> None:
     page.make(
-        "for (const policy of ['highlight', 'prefetch']) for (const [id, left] of [['near', 200], ['far', 600]])"
-        " watch(document.getElementById(id) ?? box(id, left, 300), { threshold: 1, dwell_s: 0.3, policy })"
+        "for (const element of [box('near', 200, 300), box('far', 600, 300)])"
+        " for (const policy of ['highlight', 'prefetch'])"
+        " watch(element, { threshold: 1, dwell_s: 0.3, policy })"
     )
     page.move((40, 330), (650, 330), 0.5)
     page.wait("heard.length === 2")
@@ -211,7 +214,8 @@ def test_dwell_leaves_out_what_the_pointer_only_crosses(page: IntentPage) -> Non
 def test_a_firing_says_what_was_compared_with_its_threshold(page: IntentPage) -> None:
     page.make(
         "window.firings = []; window.told = []; onLedger((one) => told.push(one));"
-        f"{ROW} for (const policy of ['prefetch', 'highlight']) onIntent(b2, (one) => {{ firings.push(one); }},"
+        f"{ROW} for (const policy of ['prefetch', 'highlight'])"
+        " onIntent(b2, (one) => { firings.push(one); },"
         " { predictor: 'minimum-jerk', policy, threshold: policy === 'prefetch' ? 0.4 : 0.6 })"
     )
     page.move((40, 40), (470, 590))
@@ -237,11 +241,12 @@ def test_nothing_was_compared_for_what_was_entered(page: IntentPage) -> None:
 
 def test_errors_of_the_page_go_where_it_wants_them(page: IntentPage) -> None:
     page.make(
-        "window.errors = []; const onError = (error, firing) => errors.push([error.message, firing?.element.id]);"
+        "window.errors = [];"
+        "const onError = (error, firing) => errors.push([error.message, firing?.element.id]);"
         "const fails = [() => { throw new Error('at once'); }, async () => { throw new Error('later'); },"
         " () => () => { throw new Error('at the end'); }];"
-        "window.ends = fails.map((fail) => onIntent(document.getElementById('goal') ?? box('goal', 600, 500), fail,"
-        " { predictor: 'minimum-jerk', onError }))"
+        "const goal = box('goal', 600, 500);"
+        "window.ends = fails.map((fail) => onIntent(goal, fail, { predictor: 'minimum-jerk', onError }))"
     )
     page.move((40, 40), (650, 530))
     page.value("ends.forEach((end) => end())")

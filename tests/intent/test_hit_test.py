@@ -13,8 +13,8 @@ pytestmark = browser.needed
 def test_the_gap_of_a_wrapped_link_is_not_entered(page: IntentPage) -> None:
     page.make(
         "document.body.insertAdjacentHTML('beforeend', '<p style=\"position:absolute;left:100px;top:300px;"
-        "width:400px;font:20px/40px monospace;margin:0\">xxxxxxxxxxxxxxxxxxxxxxxxxxx "
-        "<a id=wrapped href=\"/w.html\">one two three</a> yyyyyyyyyyyyyyyyyy</p>');"
+        'width:400px;font:20px/40px monospace;margin:0">xxxxxxxxxxxxxxxxxxxxxxxxxxx '
+        '<a id=wrapped href="/w.html">one two three</a> yyyyyyyyyyyyyyyyyy</p>\');'
         "watch(wrapped, { threshold: 1 })"
     )
     page.move((286, 100), (286, 600), 0.5)
@@ -32,9 +32,7 @@ def test_the_corner_of_a_circle_is_not_entered_but_the_circle_is(page: IntentPag
 
 
 def test_a_rotated_bar_is_entered_where_it_is(page: IntentPage) -> None:
-    page.make(
-        "box('bar', 300, 340, 400, 20).style.transform = 'rotate(45deg)'; watch(bar, { threshold: 1 })"
-    )
+    page.make("box('bar', 300, 340, 400, 20).style.transform = 'rotate(45deg)'; watch(bar, { threshold: 1 })")
     page.move((680, 100), (600, 250), 0.4)  # in its rectangle, to the right of it
     assert page.said() == []
     page.move((600, 250), (560, 410), 0.3)
@@ -47,7 +45,8 @@ def test_a_rotated_bar_is_entered_where_it_is(page: IntentPage) -> None:
         "goal.disabled = true",
         "goal.style.pointerEvents = 'none'",
         "goal.inert = true",
-        "const set = document.createElement('fieldset'); set.disabled = true; goal.replaceWith(set); set.append(goal)",
+        "const set = document.createElement('fieldset'); set.disabled = true; goal.replaceWith(set);"
+        "set.append(goal)",
     ],
 )
 @pytest.mark.parametrize("policy", ["prefetch", "highlight"])

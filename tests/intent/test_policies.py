@@ -83,7 +83,8 @@ def test_a_highlight_ends_when_the_pointer_stops_beside_its_element(page: Intent
 def test_what_an_async_callback_returns_cleans_up(page: IntentPage) -> None:
     page.make(
         "window.cleaned = 0; window.open = []; box('lit', 600, 300);"
-        "onIntent(lit, async () => { await new Promise((done) => open.push(done)); return () => { cleaned += 1; }; },"
+        "onIntent(lit, async () => { await new Promise((done) => open.push(done));"
+        " return () => { cleaned += 1; }; },"
         " { predictor: 'minimum-jerk', policy: 'highlight' })"
     )
     page.move((40, 40), (650, 330), 0.4)

@@ -41,7 +41,8 @@ def test_links_that_must_not_be_loaded_are_left_out(page: IntentPage, host: str)
         "file.setAttribute('download', ''); link('tab', 600, '/tab.html', { target: '_blank' });"
         "link('same', 600, location.href + '#part'); link('mail', 600, 'mailto:somebody@page.example');"
         "link('none', 600, '').removeAttribute('href');"
-        "link('out', 600, '/account/Log-Out?next=/'); link('off', 600, '/signoff.php'); link('gone', 600, '/items/3/delete');"
+        "link('out', 600, '/account/Log-Out?next=/'); link('off', 600, '/signoff.php');"
+        "link('gone', 600, '/items/3/delete');"
         "link('bye', 600, '/?action=logout'); link('list', 600, '/mail/unsubscribe?id=3');"
         "link('quiet', 600, '/quiet.html').dataset.noPrefetch = '';"
         "prefetchLink('a', { predictor: 'minimum-jerk' })"
@@ -88,7 +89,8 @@ def test_what_a_pattern_or_a_function_ignores_is_left_out(page: IntentPage) -> N
         f"{LINK} link('a', 100, '/cart/add'); link('b', 350, '/b.html', {{ rel: 'nofollow' }});"
         "link('c', 600, '/c.html'); const errors = window.errors = [];"
         "link('d', 850, '/d.html');"
-        "prefetchLink('a', { predictor: 'minimum-jerk', onError: ({ message }) => errors.push(message), ignore: ["
+        "const onError = ({ message }) => errors.push(message);"
+        "prefetchLink('a', { predictor: 'minimum-jerk', onError, ignore: ["
         r"/\/cart\//, ({ rel }) => rel === 'nofollow', (link, { pathname }) => {"
         " if (pathname === '/d.html') throw new Error('mine'); return false; }] })"
     )
@@ -166,7 +168,7 @@ def test_links_that_are_added_later_are_watched(page: IntentPage) -> None:
 def test_rules_make_room_so_that_every_page_is_asked_for(page: IntentPage) -> None:
     page.make(
         "for (let i = 0; i < 60; i += 1)"
-        " box(`q${i}`, 10 + 95 * (i % 10), 200 + 60 * Math.floor(i / 10), 60, 40, 'a').href = `/next${i}.html`;"
+        " box(`q${i}`, 10 + 95 * (i % 10), 200 + 60 * Math.floor(i / 10), 60, 40, 'a').href = `/n${i}.html`;"
         "prefetchLink('a', { predictor: 'minimum-jerk' })"
     )
     for row in range(6):

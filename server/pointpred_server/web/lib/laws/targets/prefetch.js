@@ -160,7 +160,10 @@ export function step(s, targets, shares, settings, s_at = 0, settings_at = 0) {
     if (fired[i] === RESTING) {
       fired[i] = ARMED;
     }
-    if (fired[i] !== ARMED || !moves || SMALLEST < least && visits[i] < least) {
+    if (fired[i] !== ARMED || !moves) {
+      continue;
+    }
+    if (least > SMALLEST && visits[i] < least) {
       continue;
     }
     const reached = score(s, table[i], shares[i], visits[i], expected, settings, s_at, settings_at);
