@@ -34,7 +34,7 @@ def several(page: str, *parts: str) -> dict[str, Any]:
     return {part: data.stored(page, part) for part in parts}
 
 
-COSTS = ("events", "service", "load", "soak", "scale", "devices", "in_page")
+COSTS = ("events", "service", "load", "soak", "scale", "devices", "in_page", "page_size")
 EVIDENCE_PAGES: dict[str, Context] = {
     "results": results.context,
     "person": partial(several, "person", "adaptation", "places", "regions"),

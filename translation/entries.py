@@ -19,16 +19,15 @@ FIRST = "minimum-jerk"
 NOTE = "// Written by `make laws` from the registry: change that and run it again."
 CORE = """import { inPage } from "../intent/page-source.js";
 import { prefetchLinkWith } from "../intent/prefetch-link.js";
-import { onIntentWith, registerWith } from "../intent/register.js";"""
+import { onIntentWith, registerWith } from "../intent/register.js";
+import { assemble } from "../prediction/assembly.js";"""
 EXPORTS = """
 export const onIntent = /* @__PURE__ */ onIntentWith(OFFER);
 export const register = /* @__PURE__ */ registerWith(OFFER);
 export const prefetchLink = /* @__PURE__ */ prefetchLinkWith(onIntent);
-export async function build(options) {{
-  const {{ assemble }} = await import("../prediction/assembly.js");
-  return assemble(REGISTRY, {name}, options);
-}}
-export {{ ledger, onLedger, showOverlay }} from "../intent/reports.js";"""
+export const build = (options) => assemble(REGISTRY, {name}, options);
+export {{ ledger, onLedger }} from "../intent/reports.js";
+export {{ showOverlay }} from "../intent/overlay/overlay.js";"""
 
 
 def write(folder: Path) -> None:

@@ -17,13 +17,11 @@ HAND_WRITTEN = ("arithmetic.js", "coefficients.js")
 """Files beside the translator that go into the folder of laws as they are."""
 NAMED = re.compile(r'^(?:import|export) \{([^}]*)\} from "([^"]+)"', re.MULTILINE)
 WHOLE = re.compile(r'^import \* as (\w+) from "([^"]+)"', re.MULTILINE)
-LATER = {"pointpred.differentiators.homogeneous": ("chatter", "STEPS_M", "CHATTER_MOST_M_S", "SUBSTEPS_MOST")}
-"""Names of modules that the page loads by ``import()``, which does not say what it uses of them."""
 
 
 def roots() -> set[Name]:
     """The laws and constants that the page's own modules import."""
-    wanted = {Name(module, word) for module, words in LATER.items() for word in words}
+    wanted: set[Name] = set()
     for path in WEB.rglob("*.js"):
         name = path.relative_to(WEB).as_posix()
         if not name.startswith(OTHERS):

@@ -1,6 +1,6 @@
 """What prediction in a page costs: ``python -m evidence costs in_page``.
 
-The sizes of ``evidence.costs.page_size``, the costs of ``page_cost.mjs`` in Node's V8, and the share of a
+The costs of ``page_cost.mjs`` in Node's V8, and the share of a
 core of a page in Chromium while its mouse moves: ``process`` is that of the page's process, ``more`` what a
 page without registrations does not take; js.foresight of npm registers the same elements in the same page.
 Needs node, npm and Chromium.
@@ -20,7 +20,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from evidence.arguments import parse
-from evidence.costs import page_size
 from evidence.data import Table, keep
 from evidence.intent.site import IMPORTS, PACKAGE, install
 from evidence.machine import machine
@@ -191,20 +190,7 @@ def costs(in_view: int, modules: Path) -> dict[str, Costs]:
     return medians
 
 
-SIZED = ("minimum-jerk", "switched-direction", "switched", "kinematic-adaptive")
 IN_VIEW = (1000, 100)
-
-
-def sizes() -> Table:
-    """What is loaded for ``onIntent`` with a predictor, its coefficients included."""
-    rows = []
-    with tempfile.TemporaryDirectory() as folder:
-        for name in SIZED:
-            count, plain, bundled = page_size.sizes("intent/register.js", name, Path(folder))
-            if bundled is None:
-                raise SystemExit("npm cannot fetch esbuild: the size of a bundle is not known")
-            rows.append((f"`{name}`", str(count), f"{plain / 1000.0:.1f}", f"{bundled / 1000.0:.1f}"))
-    return Table.of(("predictor", "files", "plain files, kB", "one minified file, kB"), rows)
 
 
 def events() -> Table:
@@ -233,7 +219,7 @@ def pages() -> Table:
 def main() -> None:
     """Measure, print and write."""
     where = machine(load=True)
-    tables = {"sizes": sizes(), "in_page_events": events(), "in_page_share": pages()}
+    tables = {"in_page_events": events(), "in_page_share": pages()}
     for table in tables.values():
         for row in table.rows:
             print("  ".join(map(str, row)))

@@ -120,7 +120,11 @@ export interface Handle {
 }
 
 /** Calls `callback` when the user is heading for an element, or for one of several, such as a NodeList. Returns what stops it. */
-export function onIntent(elements: Element | Iterable<Element>, callback: IntentCallback, options?: IntentOptions): () => void;
+export function onIntent(
+  elements: Element | Iterable<Element>,
+  callback: IntentCallback,
+  options?: IntentOptions,
+): () => void;
 
 /** Registers an element without a callback, so that its neighbours are predicted by mistake less often. */
 export function register(element: Element, options?: IntentOptions): Handle;

@@ -2,14 +2,13 @@
 import { inPage } from "../intent/page-source.js";
 import { prefetchLinkWith } from "../intent/prefetch-link.js";
 import { onIntentWith, registerWith } from "../intent/register.js";
+import { assemble } from "../prediction/assembly.js";
 import { REGISTRY } from "../laws/only/kep-quadratic-gated.js";
 
 const OFFER = { of: () => inPage(REGISTRY, "kep-quadratic-gated") };
 export const onIntent = /* @__PURE__ */ onIntentWith(OFFER);
 export const register = /* @__PURE__ */ registerWith(OFFER);
 export const prefetchLink = /* @__PURE__ */ prefetchLinkWith(onIntent);
-export async function build(options) {
-  const { assemble } = await import("../prediction/assembly.js");
-  return assemble(REGISTRY, "kep-quadratic-gated", options);
-}
-export { ledger, onLedger, showOverlay } from "../intent/reports.js";
+export const build = (options) => assemble(REGISTRY, "kep-quadratic-gated", options);
+export { ledger, onLedger } from "../intent/reports.js";
+export { showOverlay } from "../intent/overlay/overlay.js";

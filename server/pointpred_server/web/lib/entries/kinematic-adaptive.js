@@ -2,6 +2,7 @@
 import { inPage } from "../intent/page-source.js";
 import { prefetchLinkWith } from "../intent/prefetch-link.js";
 import { onIntentWith, registerWith } from "../intent/register.js";
+import { assemble } from "../prediction/assembly.js";
 import { REGISTRY } from "../laws/only/kinematic-adaptive.js";
 import { REGISTRY as OF_FIRST } from "../laws/only/minimum-jerk.js";
 import { onPlaceWith } from "../intent/places.js";
@@ -10,9 +11,7 @@ const OFFER = { of: () => ({ ...inPage(REGISTRY, "kinematic-adaptive"), first: i
 export const onIntent = /* @__PURE__ */ onIntentWith(OFFER);
 export const register = /* @__PURE__ */ registerWith(OFFER);
 export const prefetchLink = /* @__PURE__ */ prefetchLinkWith(onIntent);
-export async function build(options) {
-  const { assemble } = await import("../prediction/assembly.js");
-  return assemble(REGISTRY, "kinematic-adaptive", options);
-}
-export { ledger, onLedger, showOverlay } from "../intent/reports.js";
+export const build = (options) => assemble(REGISTRY, "kinematic-adaptive", options);
+export { ledger, onLedger } from "../intent/reports.js";
+export { showOverlay } from "../intent/overlay/overlay.js";
 export const onPlace = /* @__PURE__ */ onPlaceWith(build);

@@ -39,4 +39,7 @@ export const onIntent = /* @__PURE__ */ onIntentWith(OFFER);
 export const register = /* @__PURE__ */ registerWith(OFFER);
 export const prefetchLink = /* @__PURE__ */ prefetchLinkWith(onIntent);
 export const onPlace = /* @__PURE__ */ onPlaceWith(build);
-export { ledger, onLedger, showOverlay } from "./reports.js";
+export { ledger, onLedger } from "./reports.js";
+
+/** Shows developers what is predicted; loads its module first. @returns {Promise<() => void>} hides it */
+export const showOverlay = async () => (await import("./overlay/overlay.js")).showOverlay();

@@ -1,4 +1,4 @@
-// What a page needs only when its user scrolls, presses Tab, or it has a map of links: loaded when the page is idle.
+// What a page needs only once its user scrolls or presses Tab, or if it has a map of links: loaded then.
 
 export { boxOf, imageOf } from "./area.js";
 export { reached } from "./keyboard.js";

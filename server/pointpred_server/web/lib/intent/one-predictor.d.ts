@@ -9,7 +9,11 @@ export type IntentOptions = Own<all.IntentOptions>;
 export type PrefetchLinkOptions = Own<all.PrefetchLinkOptions>;
 
 /** Calls `callback` when the user is heading for an element, or for one of several, such as a NodeList. Returns what stops it. */
-export function onIntent(elements: Element | Iterable<Element>, callback: all.IntentCallback, options?: IntentOptions): () => void;
+export function onIntent(
+  elements: Element | Iterable<Element>,
+  callback: all.IntentCallback,
+  options?: IntentOptions,
+): () => void;
 
 /** Registers an element without a callback, so that its neighbours are predicted by mistake less often. */
 export function register(element: Element, options?: IntentOptions): all.Handle;
@@ -21,4 +25,5 @@ export function prefetchLink(
 ): ReturnType<typeof all.prefetchLink>;
 
 export type { Firing, Handle, IntentCallback, LedgerEntry, LedgerSummary } from "../index.js";
-export { ledger, onLedger, showOverlay } from "../index.js";
+export { ledger, onLedger } from "../index.js";
+export { showOverlay } from "./overlay/overlay.js";

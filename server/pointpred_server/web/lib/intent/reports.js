@@ -1,6 +1,5 @@
-// What developers ask of a page: what has fired, and a picture of what is predicted.
+// What has fired in this page.
 
-import { needDocument } from "../client/document.js";
 import { leadsOf } from "../prediction/leads.js";
 import { ledger as theLedger } from "./registration.js";
 
@@ -23,10 +22,3 @@ function summaryOf({ withheld, withdrawn, leads, reasons }) {
 
 /** Calls `listener` with each entry of the ledger from now on. @param {(entry: import("../index.d.ts").LedgerEntry) => void} listener @returns {() => void} stops it */
 export const onLedger = (listener) => theLedger.subscribe(listener);
-
-/** Shows developers what is predicted; loads its module first. @returns {Promise<() => void>} hides it */
-export async function showOverlay() {
-  needDocument("showOverlay");
-  const overlay = await import("./overlay/overlay.js");
-  return overlay.showOverlay();
-}

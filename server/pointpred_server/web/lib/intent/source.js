@@ -11,7 +11,7 @@ const PATIENCE_MS = 2000; // of a page that is never idle
  */
 
 /** When the page has nothing else to do; some browsers do not tell. */
-export const idle = () =>
+const idle = () =>
   new Promise((resolve) => (globalThis.requestIdleCallback ?? setTimeout)(resolve, { timeout: PATIENCE_MS }));
 
 /**

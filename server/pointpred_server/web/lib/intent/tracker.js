@@ -8,7 +8,6 @@ import { claimed, REMAINING_S } from "../prediction/row.js";
 import { Entry } from "./entry.js";
 import { ledger } from "./registration.js";
 import { Shares } from "./shares.js";
-import { idle } from "./source.js";
 
 const A_FRAME = 8; // elements measured in a frame without a scroll, besides the likely ones
 const LIKELY = 0.02; // an element of this share is measured in each frame
@@ -23,7 +22,7 @@ const RIGHT = 2; // the button that opens a menu
  * @typedef {{reason: string, p: number, score: number|null, threshold: number|null, t: number, remaining_s: number|null}} Cause
  */
 
-/** What is seldom needed at once; it is there before it is needed, where the page is ever idle. */
+/** What a page needs only once its user scrolls or presses Tab, or if it has a map of links. */
 const later = () => import("./later.js");
 
 /** Registered elements that share a predictor. */
@@ -83,7 +82,6 @@ export class Tracker {
     const listen = (name, handle) => window.addEventListener(name, handle, { signal, capture: true, passive: true });
     for (const name of ["click", "auxclick"]) listen(name, (event) => this.#activate(event));
     listen("keydown", (event) => event.key === "Tab" && this.#tab(event));
-    idle().then(() => signal.aborted || later());
   }
 
   /** @param {import("./registration.js").Registration} registration */

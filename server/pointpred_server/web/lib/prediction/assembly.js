@@ -46,7 +46,7 @@ export async function assemble({ DIFFERENTIATORS, GAINS, PREDICTORS }, name, opt
   const ofPredictor = valuesOf(predictorKind.parameters, values);
   const ofDifferentiator = valuesOf(differentiatorKind.parameters, values);
   const differentiator = Stage.of(differentiatorKind, ofDifferentiator);
-  await checkTogether(chosen, namedValues(differentiatorKind.parameters, ofDifferentiator), differentiator);
+  checkTogether(chosen, namedValues(differentiatorKind.parameters, ofDifferentiator), differentiator);
   differentiator.settle();
   const predictor = Stage.of(predictorKind, ofPredictor, coefficients);
   const pipeline = new Pipeline(name, differentiator, predictor);

@@ -1,5 +1,6 @@
 // A picture over the page for developers: what is predicted, what fired and why, and the ledger.
 
+import { needDocument } from "../../client/document.js";
 import { regionOf } from "../../client/regions.js";
 import { regionIn } from "../../prediction/row.js";
 import { trackers } from "../register.js";
@@ -19,6 +20,7 @@ let hide = null; // what hides the one that is shown
  * @returns {() => void} hides it
  */
 export function showOverlay() {
+  needDocument("showOverlay");
   hide ??= begin();
   return hide;
 }
