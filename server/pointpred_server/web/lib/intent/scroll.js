@@ -1,7 +1,5 @@
 // What a scroll is about to bring under the pointer that rests, or into view.
 
-import { contact } from "../laws/targets/prefetch.js";
-
 const AHEAD_S = 0.15; // how long the present speed is taken to last
 const SLOWEST = 50; // px/s; slower, nothing is about to come
 const MARGIN = "25%"; // of the viewport: so near, an element is about to come into view
@@ -10,6 +8,12 @@ const MARGIN = "25%"; // of the viewport: so near, an element is about to come i
 export class ScrollAhead {
   #at = -Infinity;
   #places = new Map();
+  #contact;
+
+  /** @param {typeof import("../laws/targets/prefetch.js").contact} contact the law: loaded with what is there already */
+  constructor(contact) {
+    this.#contact = contact;
+  }
 
   /**
    * The elements that their present speed brings under the pointer. A container that scrolls inside the page counts as the page does.
@@ -28,7 +32,7 @@ export class ScrollAhead {
       if (!place || entry.isHidden) return false;
       const vx = (centreX - place[0]) / dt,
         vy = (centreY - place[1]) / dt;
-      return Math.hypot(vx, vy) >= SLOWEST && contact(x, y, -vx, -vy, entry.row) <= AHEAD_S; // as the element sees the pointer come
+      return Math.hypot(vx, vy) >= SLOWEST && this.#contact(x, y, -vx, -vy, entry.row) <= AHEAD_S; // as the element sees the pointer come
     });
   }
 }

@@ -4,6 +4,7 @@ import { Elements } from "../client/elements.js";
 import { closest, PageChoices } from "../client/page-choices.js";
 import { PointerStream } from "../client/pointer-stream.js";
 import { Proposals } from "../client/proposals.js";
+import { contact } from "../laws/targets/prefetch.js";
 import { claimed, REMAINING_S } from "../prediction/row.js";
 import { Entry } from "./entry.js";
 import { ledger } from "./registration.js";
@@ -395,7 +396,7 @@ export class Tracker {
   async #scroll(entries) {
     const { ScrollAhead } = await later(),
       t = performance.now() / 1000;
-    this.#ahead ??= new ScrollAhead();
+    this.#ahead ??= new ScrollAhead(contact);
     for (const entry of this.#ahead.comingUnder(entries, this.#shares.cursor, t))
       this.#firePrefetch(entry, "scroll", { t, isSeen: () => !entry.isCovered, into: "pointer" });
   }
