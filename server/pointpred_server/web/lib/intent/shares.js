@@ -16,7 +16,15 @@ const [, LEAST_LEAD_S, LEAST_WAY_PX] = USUAL;
 const LEARNS = 1;
 const SETTINGS = Float64Array.from(prefetch.FITTED);
 const ROUNDING = 1; // px that sums may err by, and far more
+const [ROW_X, ROW_Y] = [1, 2]; // places in the row of an event
 const NEVER = 1; // the highest threshold of a prefetch: fires at entry only
+
+/** The middle of what some events have at a place of their rows, and half of its width. */
+function spanOf(rows, place) {
+  const values = rows.map((row) => row[place]),
+    [low, high] = [Math.min(...values), Math.max(...values)];
+  return [0.5 * (low + high), 0.5 * (high - low)];
+}
 
 const numbers = new Map(); // of kinds of elements
 /** The number of a kind of element: the same for all of it. @param {string} kind */
@@ -147,25 +155,16 @@ export class Shares {
 
   /** The places of the elements that some events may enter or leave: the others need not be looked at. */
   #near(rows) {
-    let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
-    for (const [, x, y] of rows) {
-      left = Math.min(left, x - ROUNDING);
-      right = Math.max(right, x + ROUNDING);
-      top = Math.min(top, y - ROUNDING);
-      bottom = Math.max(bottom, y + ROUNDING);
-    }
+    const [x, across] = spanOf(rows, ROW_X),
+      [y, down] = spanOf(rows, ROW_Y);
     const table = this.#table,
+      inside = this.#inside,
       near = [];
     for (let i = 0; i < table.length; i += 1) {
       const row = table[i],
-        across = 0.5 * row[WIDTH],
-        down = 0.5 * row[HEIGHT];
-      const isMet =
-        row[CENTRE_X] + across >= left &&
-        row[CENTRE_X] - across <= right &&
-        row[CENTRE_Y] + down >= top &&
-        row[CENTRE_Y] - down <= bottom;
-      if (isMet || this.#inside[i] !== OUTSIDE) near.push(i);
+        far = Math.abs(row[CENTRE_X] - x) - 0.5 * row[WIDTH] - across,
+        below = Math.abs(row[CENTRE_Y] - y) - 0.5 * row[HEIGHT] - down;
+      if ((far <= ROUNDING && below <= ROUNDING) || inside[i] !== OUTSIDE) near.push(i);
     }
     return near;
   }
