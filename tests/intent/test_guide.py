@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import re
+import shutil
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,12 +14,14 @@ import pytest
 from tests.architecture.test_web import exports
 from tests.hosts import file_host
 from tests.intent.conftest import LIB
+from tests.intent.packed import pack
 from tests.server import browser
 from tests.server.page_browser import Visitor
 
 ROOT = Path(__file__).parents[2]
 GUIDE = (ROOT / "docs" / "guide" / "in-page.md").read_text("utf-8")
 README = (ROOT / "README.md").read_text("utf-8")
+PACKAGE = json.loads((LIB / "package.json").read_text("utf-8"))
 LIT = "document.querySelector('.card.next')?.textContent ?? ''"
 
 
@@ -29,9 +34,15 @@ def blocks(language: str, text: str = GUIDE) -> list[str]:
 @pytest.fixture
 def address(tmp_path: Path) -> Iterator[str]:
     """The folder that the first steps of the guide make, on a static host."""
-    (tmp_path / "pointpred").symlink_to(LIB)
-    (tmp_path / "cards.html").write_text(blocks("html")[0], "utf-8")
-    with file_host(tmp_path) as origin:
+    folder = tmp_path / "my-page"
+    folder.mkdir()
+    (tmp_path / "dist").mkdir()
+    shutil.copy(pack(tmp_path), tmp_path / "dist")
+    packing, _, taking = blocks("sh")[0].splitlines()
+    assert packing == "make package"
+    subprocess.run(["sh", "-c", taking], cwd=tmp_path, check=True)
+    (folder / "cards.html").write_text(blocks("html")[0], "utf-8")
+    with file_host(folder) as origin:
         yield f"{origin}/cards.html"
 
 
@@ -58,9 +69,8 @@ def test_cards_light_up_before_the_pointer_is_there(visitor: Visitor, address: s
 def test_what_the_examples_import_exists() -> None:
     for text in [*blocks("js"), *blocks("jsx"), *blocks("html")]:
         for names, address in re.findall(r'import \{([^}]*)\} from "([^"]+)"', text):
-            path = address.replace("./pointpred/", "").replace("pointpred/", "intent/")
-            path = path if path.endswith(".js") else f"{path}.js"
-            module = (LIB / path).read_text("utf-8")
+            entry = address.replace("pointpred", ".", 1)
+            module = (LIB / PACKAGE["exports"][entry]["default"]).read_text("utf-8")
             for name in (one.strip() for one in names.split(",")):
                 assert name in exports(module), f"{address} has no {name}"
 

@@ -20,6 +20,7 @@ PACKAGE = json.loads((LIB / "package.json").read_text())
 TYPED = [name for name, entry in PACKAGE["exports"].items() if isinstance(entry, dict)]
 NODE = shutil.which("node")
 needs_node = pytest.mark.skipif(NODE is None, reason="no node on this machine")
+POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'self'"
 SCRIPTS = ("pointpred.min.js", "minimum-jerk.min.js")
 
 
@@ -220,7 +221,7 @@ def test_importing_listens_to_nothing_and_changes_nothing(project: Path) -> None
 def test_a_script_tag_is_enough(project: Path, visitor: Visitor, tmp_path: Path, script: str) -> None:
     shutil.copy(project / "node_modules" / "pointpred" / script, tmp_path)
     (tmp_path / "page.html").write_text(
-        f"""<!doctype html><meta http-equiv="Content-Security-Policy" content="script-src 'self'">
+        f"""<!doctype html><meta http-equiv="Content-Security-Policy" content="{POLICY}">
         <button id="goal" style="position: absolute; left: 600px; top: 500px">goal</button>
         <script src="{script}"></script><script src="own.js"></script>"""
     )
@@ -236,4 +237,27 @@ def test_a_script_tag_is_enough(project: Path, visitor: Visitor, tmp_path: Path,
         visitor.reach((40, 40), (620, 510), 0.5, paced=True)
         visitor.wait("fired.length > 0")
         assert visitor.value("fired") == ["predicted"]
+        assert visitor.value("refused") == []
+
+
+@browser.needed
+def test_a_policy_that_lets_scripts_alone_load_lets_the_learned_predictor_load(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    """Its coefficients are a module, so that `connect-src` does not matter."""
+    (tmp_path / "pointpred").symlink_to(LIB)
+    (tmp_path / "own.js").write_text(
+        'import { register } from "./pointpred/intent/index.js";'
+        "window.refused = [];"
+        "addEventListener('securitypolicyviolation', (event) => refused.push(event.blockedURI));"
+        "window.ready = register(document.body).ready.then(() => 'loaded', String);"
+    )
+    (tmp_path / "page.html").write_text(
+        f"""<!doctype html><meta http-equiv="Content-Security-Policy" content="{POLICY}">
+        <body><script type="module" src="own.js"></script>"""
+    )
+    with file_host(tmp_path) as origin:
+        visitor.open(f"{origin}/page.html")
+        visitor.wait("'ready' in window")
+        assert visitor.value("ready") == "loaded"
         assert visitor.value("refused") == []
