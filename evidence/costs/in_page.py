@@ -2,7 +2,8 @@
 
 The costs of ``page_cost.mjs`` in Node's V8, and the share of a
 core of a page in Chromium while its mouse moves: ``process`` is that of the page's process, ``more`` what a
-page without registrations does not take. Needs node, npm and Chromium.
+page without registrations does not take; js.foresight of npm registers the same elements in the same page.
+Needs node, npm and Chromium.
 """
 
 from __future__ import annotations
@@ -16,10 +17,11 @@ import time
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from evidence.arguments import parse
 from evidence.data import Table, keep
+from evidence.intent.site import IMPORTS, PACKAGE, install
 from evidence.machine import machine
 from pointpred.live.devtools import Page, open_page
 from tests.server import browser
@@ -44,14 +46,35 @@ REGISTER = """import('/intent/index.js').then(({ onIntent }) => {
 })"""
 
 
+FORESIGHT = """import('js.foresight').then(({ ForesightManager }) => {
+  const manager = ForesightManager.initialize();
+  window.fired = 0;
+  for (const element of document.querySelectorAll('a'))
+    manager.register({ element, callback: () => { fired += 1; } });
+  return new Promise((done) => setTimeout(done, 1500));
+})"""
+
+
 class Host(SimpleHTTPRequestHandler):
-    """The browser client as files; any other address is an empty page."""
+    """The browser client and packages of npm as files; any other address is an empty page."""
+
+    extensions_map = SimpleHTTPRequestHandler.extensions_map | {".mjs": "text/javascript"}
+
+    def __init__(self, *given: Any, modules: Path | None = None, **more: Any) -> None:
+        self.modules = modules
+        super().__init__(*given, **more)
+
+    def translate_path(self, path: str) -> str:
+        """The file at an address."""
+        if self.modules is not None and path.startswith("/npm/"):
+            return str(self.modules / path.removeprefix("/npm/"))
+        return super().translate_path(path)
 
     def do_GET(self) -> None:
         """Answer a request."""
-        if self.path.endswith(".js"):
+        if self.path.endswith((".js", ".mjs")):
             return super().do_GET()
-        body = b"<!doctype html><title>cost</title><body>"
+        body = f"<!doctype html><title>cost</title>{IMPORTS}<body>".encode()
         self.send_response(200)
         self.send_header("Content-Type", "text/html")
         self.send_header("Content-Length", str(len(body)))
@@ -122,15 +145,18 @@ class Costs(NamedTuple):
     rate: float
 
 
-def costs(in_view: int) -> dict[str, Costs]:
-    """The medians of all rounds, by what is registered in the page; ``in_view``: elements in the window."""
+def costs(in_view: int, modules: Path) -> dict[str, Costs]:
+    """The medians of all rounds, by what is registered in the page.
+
+    ``in_view``: elements in the window; ``modules``: where js.foresight is installed.
+    """
     step = math.floor(math.sqrt(SIZE[0] * SIZE[1] / in_view))
     elements = (
         ELEMENTS.replace("COUNT", str(COUNT))
         .replace("COLUMNS", str(SIZE[0] // step))
         .replace("STEP", str(step))
     )
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Host, directory=str(LIB)))
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Host, directory=str(LIB), modules=modules))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     with (
         tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
@@ -140,7 +166,7 @@ def costs(in_view: int) -> dict[str, Costs]:
         page.call("Performance.enable")
         size = {"width": SIZE[0], "height": SIZE[1], "deviceScaleFactor": 1, "mobile": False}
         page.call("Emulation.setDeviceMetricsOverride", **size)
-        names = (None, "listener alone", *PREDICTORS)
+        names = (None, "listener alone", *PREDICTORS, PACKAGE)
         measured: dict[str | None, list[tuple[float, ...]]] = {name: [] for name in names}
         for _ in range(ROUNDS):  # in turn, so that a busy machine is busy for each of them
             for name in names:
@@ -148,6 +174,8 @@ def costs(in_view: int) -> dict[str, Costs]:
                 page.evaluate(elements)
                 if name == "listener alone":
                     page.evaluate(LISTEN)
+                elif name == PACKAGE:
+                    page.evaluate(FORESIGHT)
                 elif name is not None:
                     page.evaluate(REGISTER.replace("PREDICTOR", name))
                 drive_coalesced(page, 3.0, RATE_HZ)  # what the browser compiles at first
@@ -177,11 +205,13 @@ def events() -> Table:
 def pages() -> Table:
     """The share of a core of a page while its mouse moves at 1 kHz."""
     rows = []
-    for in_view in IN_VIEW:
-        rows += [
-            (str(in_view), name, f"{100.0 * one.process:.1f}", f"{100.0 * one.more:.1f}")
-            for name, one in costs(in_view).items()
-        ]
+    with tempfile.TemporaryDirectory() as folder:
+        modules = install(Path(folder))
+        for in_view in IN_VIEW:
+            rows += [
+                (str(in_view), name, f"{100.0 * one.process:.1f}", f"{100.0 * one.more:.1f}")
+                for name, one in costs(in_view, modules).items()
+            ]
     columns = ("in view", "registered with", "process, %", "more than without, %")
     return Table.of(columns, rows)
 

@@ -66,7 +66,7 @@ function clear() {
   document.querySelectorAll(".target").forEach((element) => element.remove());
 }
 
-/** Whether the middle of a target lies under another; such targets let the pointer through, because onIntent leaves out what is covered. */
+/** Whether the middle of a target lies under another: then no place counts as covered, because onIntent leaves out what is. */
 const overlap = (targets) =>
   targets.some(([left, top, width, height], place) =>
     targets.some(
@@ -80,7 +80,7 @@ const overlap = (targets) =>
 /** Puts other targets in place. @param {number[][]} targets left, top, width, height px of each */
 function show(targets) {
   clear();
-  document.body.classList.toggle("overlapping", overlap(targets));
+  document.elementFromPoint = overlap(targets) ? () => null : Document.prototype.elementFromPoint;
   targets.forEach(([left, top, width, height], place) => {
     const element = document.createElement("div"),
       hear = (rule) => () => {

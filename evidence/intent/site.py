@@ -20,13 +20,13 @@ from translation.coefficients import coefficients_text
 
 PACKAGE = "js.foresight@4.2.1"
 LIB, HERE = ROOT / "server" / "pointpred_server" / "web" / "lib", Path(__file__).parent
-HTML = """<!doctype html><title>side by side</title>
-<style>body { margin: 0; overflow: hidden } .target { position: absolute; background: #ddd }
-.overlapping .target { pointer-events: none }</style>
-<script type="importmap">{"imports": {
+IMPORTS = """<script type="importmap">{"imports": {
   "js.foresight": "/npm/js.foresight/dist/index.mjs",
   "position-observer": "/npm/position-observer/dist/index.js",
-  "tabbable": "/npm/tabbable/dist/index.esm.js"}}</script>
+  "tabbable": "/npm/tabbable/dist/index.esm.js"}}</script>"""
+HTML = f"""<!doctype html><title>side by side</title>
+<style>body {{ margin: 0; overflow: hidden }} .target {{ position: absolute; background: #ddd }}</style>
+{IMPORTS}
 <body><script type="module" src="/beside.js"></script>"""
 
 

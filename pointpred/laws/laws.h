@@ -1494,7 +1494,9 @@ void targets_prefetch_begin(targets_prefetch_State * s, Table table, Vector fire
 double targets_prefetch_contact(double x, double y, double dx, double dy, Vector row);
 targets_prefetch_Expected targets_prefetch_expect(double x, double y, Table table, Vector visits, Vector shares);
 bool targets_prefetch_inside(double x, double y, Vector row);
+double targets_prefetch_least_visit(double lowest, targets_prefetch_Expected expected, targets_prefetch_Settings * settings);
 double targets_prefetch_log_odds(double p);
+double targets_prefetch_score(targets_cursor_State * s, Vector row, double share, double visited, targets_prefetch_Expected expected, targets_prefetch_Settings * settings);
 int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targets, Vector shares, targets_prefetch_Settings * settings);
 T6d targets_prefetch_terms(targets_cursor_State * s, Vector row, double share, double visited, targets_prefetch_Expected expected);
 void targets_prefetch_visit(double x, double y, Table table, Vector shares, Vector out);

@@ -11280,6 +11280,28 @@ static PyObject *py_targets_prefetch_inside(PyObject *self, PyObject *const *arg
   let_go(&held);
   return PyBool_FromLong(result);
 }
+static PyObject *py_targets_prefetch_least_visit(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:least_visit";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  targets_prefetch_Expected a1;
+  targets_prefetch_Settings * a2;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_double(args[0], &a0)
+        && take_tuple(args[1], law, "expected", 2)
+        && take_double(PyTuple_GetItem(args[1], 0), &a1.passed)
+        && take_double(PyTuple_GetItem(args[1], 1), &a1.sure)
+        && take_memory(&held, args[2], law, "settings", false, 6, &view)
+        && (a2 = view->buf, true)))
+    return let_go(&held);
+  result = targets_prefetch_least_visit(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
 static PyObject *py_targets_prefetch_log_odds(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.targets.prefetch:log_odds";
   Held held;
@@ -11292,6 +11314,36 @@ static PyObject *py_targets_prefetch_log_odds(PyObject *self, PyObject *const *a
         && take_double(args[0], &a0)))
     return let_go(&held);
   result = targets_prefetch_log_odds(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_targets_prefetch_score(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.targets.prefetch:score";
+  Held held;
+  const Py_buffer *view;
+  targets_cursor_State * a0;
+  Vector a1;
+  double a2;
+  double a3;
+  targets_prefetch_Expected a4;
+  targets_prefetch_Settings * a5;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "s", false, 15, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)
+        && take_tuple(args[4], law, "expected", 2)
+        && take_double(PyTuple_GetItem(args[4], 0), &a4.passed)
+        && take_double(PyTuple_GetItem(args[4], 1), &a4.sure)
+        && take_memory(&held, args[5], law, "settings", false, 6, &view)
+        && (a5 = view->buf, true)))
+    return let_go(&held);
+  result = targets_prefetch_score(a0, a1, a2, a3, a4, a5);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -12449,7 +12501,9 @@ static PyMethodDef methods[] = {
   {"pointpred.targets.prefetch:contact", (PyCFunction)(void (*)(void))py_targets_prefetch_contact, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:expect", (PyCFunction)(void (*)(void))py_targets_prefetch_expect, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:inside", (PyCFunction)(void (*)(void))py_targets_prefetch_inside, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:least_visit", (PyCFunction)(void (*)(void))py_targets_prefetch_least_visit, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:log_odds", (PyCFunction)(void (*)(void))py_targets_prefetch_log_odds, METH_FASTCALL, NULL},
+  {"pointpred.targets.prefetch:score", (PyCFunction)(void (*)(void))py_targets_prefetch_score, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:step", (PyCFunction)(void (*)(void))py_targets_prefetch_step, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:terms", (PyCFunction)(void (*)(void))py_targets_prefetch_terms, METH_FASTCALL, NULL},
   {"pointpred.targets.prefetch:visit", (PyCFunction)(void (*)(void))py_targets_prefetch_visit, METH_FASTCALL, NULL},

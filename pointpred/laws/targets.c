@@ -80,6 +80,7 @@ static const int64_t targets_prefetch_PATHS = 8;
 static const double targets_prefetch_PREDICTED = 3.0;
 static const double targets_prefetch_REFERENCE_S = 0.25;
 static const double targets_prefetch_RESTING = 2.0;
+static const double targets_prefetch_ROUNDING = 1e-06;
 static const double targets_prefetch_SHORTEST_S = 0.005;
 static const double targets_prefetch_SMALLEST = 1e-06;
 static const int64_t targets_rectangles_CENTRE_X = 0;
@@ -1371,25 +1372,35 @@ bool targets_prefetch_inside(double x, double y, Vector row) {
 /* How likely the cursor goes through each target: its share, and the shares of what lies behind it. */
 void targets_prefetch_visit(double x, double y, Table table, Vector shares, Vector out) {
   Vector ends;
-  double total, to_x, to_y;
   int64_t end;
+  double to_x, to_y, middle_x, middle_y, across, down, far_x, far_y;
   double buffer_1[8];
   ends = (Vector){buffer_1, targets_prefetch_PATHS};
   targets_decision_rank(shares, table.n, ends);
   for (int64_t i = 0; i < table.n; i++) {
-    total = shares.p[i];
-    for (int64_t place = 0; place < targets_prefetch_PATHS; place++) {
-      end = (int64_t)ends.p[place];
-      if (i == end || end == targets_rectangles_NOBODY || shares.p[end] < targets_prefetch_NEGLIGIBLE) {
+    out.p[i] = shares.p[i];
+  }
+  for (int64_t place = 0; place < targets_prefetch_PATHS; place++) {
+    end = (int64_t)ends.p[place];
+    if (end == targets_rectangles_NOBODY || shares.p[end] < targets_prefetch_NEGLIGIBLE) {
+      continue;
+    }
+    to_x = table.p[end * table.m + targets_rectangles_CENTRE_X] - x;
+    to_y = table.p[end * table.m + targets_rectangles_CENTRE_Y] - y;
+    middle_x = x + 0.5 * to_x;
+    middle_y = y + 0.5 * to_y;
+    across = 0.5 * fabs(to_x) + targets_prefetch_ROUNDING;
+    down = 0.5 * fabs(to_y) + targets_prefetch_ROUNDING;
+    for (int64_t i = 0; i < table.n; i++) {
+      far_x = fabs(table.p[i * table.m + targets_rectangles_CENTRE_X] - middle_x);
+      far_y = fabs(table.p[i * table.m + targets_rectangles_CENTRE_Y] - middle_y);
+      if (far_x > across + 0.5 * table.p[i * table.m + targets_rectangles_WIDTH] || far_y > down + 0.5 * table.p[i * table.m + targets_rectangles_HEIGHT]) {
         continue;
       }
-      to_x = table.p[end * table.m + targets_rectangles_CENTRE_X] - x;
-      to_y = table.p[end * table.m + targets_rectangles_CENTRE_Y] - y;
-      if (targets_prefetch_contact(x, y, to_x, to_y, (Vector){table.p + i * table.m, table.m}) <= 1.0) {
-        total += shares.p[end];
+      if (i != end && targets_prefetch_contact(x, y, to_x, to_y, (Vector){table.p + i * table.m, table.m}) <= 1.0) {
+        out.p[i] += shares.p[end];
       }
     }
-    out.p[i] = total;
   }
 }
 
@@ -1426,6 +1437,32 @@ T6d targets_prefetch_terms(targets_cursor_State * s, Vector row, double share, d
   return (T6d){1.0, end, near, -near * near, log(max_float(expected.passed, targets_prefetch_LEAST_VISITS)), -expected.sure};
 }
 
+/* What ``step`` compares with the logarithm of the odds of a target's threshold. */
+double targets_prefetch_score(targets_cursor_State * s, Vector row, double share, double visited, targets_prefetch_Expected expected, targets_prefetch_Settings * settings) {
+  double t0, t1, t2, t3, t4, t5, total;
+  T6d values_1 = targets_prefetch_terms(s, row, share, visited, expected);
+  t0 = values_1.f0;
+  t1 = values_1.f1;
+  t2 = values_1.f2;
+  t3 = values_1.f3;
+  t4 = values_1.f4;
+  t5 = values_1.f5;
+  total = targets_prefetch_log_odds(visited) + settings->base * t0 + settings->end * t1 + settings->near * t2;
+  total += settings->far * t3 + settings->passed * t4 + settings->sure * t5;
+  return total;
+}
+
+/* How likely a visit must be at least for ``score`` to reach the lowest threshold, wherever it is. */
+double targets_prefetch_least_visit(double lowest, targets_prefetch_Expected expected, targets_prefetch_Settings * settings) {
+  double soon, late, most;
+  soon = log(targets_prefetch_REFERENCE_S / targets_prefetch_SHORTEST_S);
+  late = log(targets_prefetch_LONGEST_S / targets_prefetch_REFERENCE_S);
+  most = max_float(settings->near * soon, -settings->near * late) + max_float(-settings->far, 0.0) * soon * soon;
+  most += max_float(settings->end * log(targets_prefetch_SMALLEST), 0.0) + settings->base + targets_prefetch_ROUNDING;
+  most += settings->passed * log(max_float(expected.passed, targets_prefetch_LEAST_VISITS)) - settings->sure * expected.sure;
+  return 1.0 / (1.0 + exp(most - targets_prefetch_log_odds(lowest)));
+}
+
 /* What lies ahead of the cursor, without the targets that it is in. */
 targets_prefetch_Expected targets_prefetch_expect(double x, double y, Table table, Vector visits, Vector shares) {
   double passed, sure;
@@ -1444,7 +1481,7 @@ targets_prefetch_Expected targets_prefetch_expect(double x, double y, Table tabl
 int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targets, Vector shares, targets_prefetch_Settings * settings) {
   Table table;
   Vector thresholds, visits, fired;
-  double x, y, t0, t1, t2, t3, t4, t5, score;
+  double x, y, lowest, least, reached;
   targets_prefetch_Expected expected;
   bool moves;
   int64_t count;
@@ -1458,6 +1495,11 @@ int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targ
   targets_prefetch_visit(x, y, table, shares, visits);
   expected = targets_prefetch_expect(x, y, table, visits, shares);
   moves = hypot(x - s->cursor.x0, y - s->cursor.y0) >= targets_prefetch_LEAST_WAY_PX;
+  lowest = 1.0;
+  for (int64_t i = 0; i < table.n; i++) {
+    lowest = min_float(lowest, thresholds.p[i]);
+  }
+  least = targets_prefetch_least_visit(lowest, expected, settings);
   count = 0;
   for (int64_t i = 0; i < table.n; i++) {
     if (table.p[i * table.m + targets_rectangles_LOG_WEIGHT] == -INFINITY) {
@@ -1476,16 +1518,11 @@ int64_t targets_prefetch_step(targets_prefetch_State * s, T_Table_3_Vector_ targ
     if (fired.p[i] != targets_prefetch_ARMED || !moves) {
       continue;
     }
-    T6d values_1 = targets_prefetch_terms(&s->cursor, (Vector){table.p + i * table.m, table.m}, shares.p[i], visits.p[i], expected);
-    t0 = values_1.f0;
-    t1 = values_1.f1;
-    t2 = values_1.f2;
-    t3 = values_1.f3;
-    t4 = values_1.f4;
-    t5 = values_1.f5;
-    score = targets_prefetch_log_odds(visits.p[i]) + settings->base * t0 + settings->end * t1 + settings->near * t2;
-    score += settings->far * t3 + settings->passed * t4 + settings->sure * t5;
-    if (score >= targets_prefetch_log_odds(thresholds.p[i])) {
+    if (least > targets_prefetch_SMALLEST && visits.p[i] < least) {
+      continue;
+    }
+    reached = targets_prefetch_score(&s->cursor, (Vector){table.p + i * table.m, table.m}, shares.p[i], visits.p[i], expected, settings);
+    if (reached >= targets_prefetch_log_odds(thresholds.p[i])) {
       fired.p[i] = targets_prefetch_PREDICTED;
       count = count + 1;
     }

@@ -8,7 +8,7 @@ goes through it, more than by the probability that the movement ends there.
 from __future__ import annotations
 
 from collections.abc import Hashable
-from math import hypot, inf, log
+from math import exp, hypot, inf, log
 from typing import NamedTuple
 
 import numpy as np
@@ -44,6 +44,8 @@ REFERENCE_S, SHORTEST_S, LONGEST_S = 0.25, 0.005, 5.0
 """Times to contact count as logarithms over the first, within the bounds of the others."""
 SMALLEST, LEAST_VISITS = 1e-6, 0.05
 """Bounds on probabilities and on their sum in logarithms."""
+ROUNDING = 1e-6
+"""What rounding may add to a way, px, or to a sum of terms."""
 
 THRESHOLD = 0.5
 """Unless given, how likely a visit of a target must be."""
@@ -107,15 +109,20 @@ def visit(x: float, y: float, table: FloatTable, shares: FloatArray, out: FloatA
     ends = np.empty(PATHS)
     decision.rank(shares, len(table), ends)
     for i in range(len(table)):
-        total = shares[i]
-        for place in range(PATHS):
-            end = int(ends[place])
-            if i == end or end == NOBODY or shares[end] < NEGLIGIBLE:
-                continue
-            to_x, to_y = table[end, CENTRE_X] - x, table[end, CENTRE_Y] - y
-            if contact(x, y, to_x, to_y, table[i]) <= 1.0:
-                total += shares[end]
-        out[i] = total
+        out[i] = shares[i]
+    for place in range(PATHS):
+        end = int(ends[place])
+        if end == NOBODY or shares[end] < NEGLIGIBLE:
+            continue
+        to_x, to_y = table[end, CENTRE_X] - x, table[end, CENTRE_Y] - y
+        middle_x, middle_y = x + 0.5 * to_x, y + 0.5 * to_y
+        across, down = 0.5 * abs(to_x) + ROUNDING, 0.5 * abs(to_y) + ROUNDING
+        for i in range(len(table)):
+            far_x, far_y = abs(table[i, CENTRE_X] - middle_x), abs(table[i, CENTRE_Y] - middle_y)
+            if far_x > across + 0.5 * table[i, WIDTH] or far_y > down + 0.5 * table[i, HEIGHT]:
+                continue  # aside of the way: most targets
+            if i != end and contact(x, y, to_x, to_y, table[i]) <= 1.0:
+                out[i] += shares[end]
 
 
 @law
@@ -146,6 +153,27 @@ def terms(s: cursor.State, row: FloatArray, share: float, visited: float, expect
     near = -log(min(max(left_s, SHORTEST_S), LONGEST_S) / REFERENCE_S)
     end = log(max(share, SMALLEST) / max(visited, SMALLEST))
     return 1.0, end, near, -near * near, log(max(expected.passed, LEAST_VISITS)), -expected.sure
+
+
+@law
+def score(
+    s: cursor.State, row: FloatArray, share: float, visited: float, expected: Expected, settings: Settings
+) -> float:
+    """What ``step`` compares with the logarithm of the odds of a target's threshold."""
+    t0, t1, t2, t3, t4, t5 = terms(s, row, share, visited, expected)
+    total = log_odds(visited) + settings.base * t0 + settings.end * t1 + settings.near * t2
+    total += settings.far * t3 + settings.passed * t4 + settings.sure * t5
+    return total
+
+
+@law
+def least_visit(lowest: float, expected: Expected, settings: Settings) -> float:
+    """How likely a visit must be at least for ``score`` to reach the lowest threshold, wherever it is."""
+    soon, late = log(REFERENCE_S / SHORTEST_S), log(LONGEST_S / REFERENCE_S)
+    most = max(settings.near * soon, -settings.near * late) + max(-settings.far, 0.0) * soon * soon
+    most += max(settings.end * log(SMALLEST), 0.0) + settings.base + ROUNDING
+    most += settings.passed * log(max(expected.passed, LEAST_VISITS)) - settings.sure * expected.sure
+    return 1.0 / (1.0 + exp(most - log_odds(lowest)))
 
 
 @law
@@ -185,6 +213,10 @@ def step(s: State, targets: Targets, shares: FloatArray, settings: Settings) -> 
     visit(x, y, table, shares, visits)
     expected = expect(x, y, table, visits, shares)
     moves = hypot(x - s.cursor.x0, y - s.cursor.y0) >= LEAST_WAY_PX
+    lowest = 1.0
+    for i in range(len(table)):
+        lowest = min(lowest, thresholds[i])
+    least = least_visit(lowest, expected, settings)
     count = 0
     for i in range(len(table)):
         if table[i, LOG_WEIGHT] == -inf:
@@ -197,10 +229,10 @@ def step(s: State, targets: Targets, shares: FloatArray, settings: Settings) -> 
             fired[i] = ARMED
         if fired[i] != ARMED or not moves:
             continue
-        t0, t1, t2, t3, t4, t5 = terms(s.cursor, table[i], shares[i], visits[i], expected)
-        score = log_odds(visits[i]) + settings.base * t0 + settings.end * t1 + settings.near * t2
-        score += settings.far * t3 + settings.passed * t4 + settings.sure * t5
-        if score >= log_odds(thresholds[i]):
+        if least > SMALLEST and visits[i] < least:
+            continue  # nothing else can make up for that: most targets
+        reached = score(s.cursor, table[i], shares[i], visits[i], expected, settings)
+        if reached >= log_odds(thresholds[i]):
             fired[i], count = PREDICTED, count + 1
     return count
 

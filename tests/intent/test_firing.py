@@ -135,7 +135,16 @@ def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage)
         ("onIntent(document.body)", "onIntent needs a function to call, received undefined"),
         ("onIntent('#a', () => {})", "an element of the page is needed, received #a"),
         ("watch(document.body, { treshold: 1 })", "unknown option treshold; known: policy, "),
-        ("watch(document.body, { threshold: 2 })", "threshold must be a number in [0, 1], received 2"),
+        ("watch(document.body, { threshold: 2 })", "threshold must be a number in [0.000001, 1], received 2"),
+        ("watch(document.body, { threshold: 0 })", "threshold must be a number in [0.000001, 1], received 0"),
+        ("watch(document.body, { hitSlop: '8' })", "hitSlop top must be a number in [0, 10000], received 8"),
+        ("watch(document.body, { hitSlop: { up: 8 } })", "unknown side up of hitSlop; known: top, right, "),
+        ("watch(document.body, { enabled: 1 })", "enabled must be one of a boolean, a function, received 1"),
+        (
+            "const frame = document.createElement('iframe'); document.body.append(frame);"
+            "onIntent(frame.contentDocument.body, () => {})",
+            "<body> belongs to the document of a frame: load pointpred there, too",
+        ),
         (
             "watch(document.body, { hitSlop: { top: -1 } })",
             "hitSlop top must be a number in [0, 10000], received -1",
@@ -144,10 +153,114 @@ def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage)
             "watch(document.body, { policy: 'both' })",
             "policy must be one of prefetch, highlight, received both",
         ),
-        ("prefetchLink(document.body)", "a link (<a href>) is needed, received [object HTMLBodyElement]"),
+        ("prefetchLink(document.body)", "a link (<a href> or <area href>) is needed, received <body>"),
+        ("prefetchLink('a', { watched: true })", "unknown option watched; known: policy, "),
+        ("prefetchLink(document.links, { watch: true })", "watch needs a selector, received "),
+        ("prefetchLink('a', { limit: 0 })", "limit must be a number from 1 on, received 0"),
+        ("prefetchLink('a', { ignore: '/a' })", "ignore must be a RegExp, a function or a list of these"),
     ],
 )
 def test_mistakes_are_named(page: IntentPage, call: str, words: str) -> None:
     with pytest.raises(SourceError) as error:
         page.value(call)
     assert words in str(error.value)
+
+
+def test_elements_of_a_list_are_registered_all_or_none(page: IntentPage) -> None:
+    page.make(
+        "box('one', 100, 100); box('two', 300, 100); window.called = [];"
+        "window.again = ({ element }) => called.push(element.id);"
+        "window.options = { predictor: 'minimum-jerk' };"
+        "window.stopBoth = onIntent(document.querySelectorAll('button'), again, options)"
+    )
+    with pytest.raises(SourceError, match="an element of the page is needed, received null"):
+        page.value("onIntent([one, null], again, options)")
+    page.move((40, 40), (150, 130), 0.3)
+    page.move((150, 130), (350, 130), 0.3)
+    assert page.value("called") == ["one", "two"]
+    page.value("stopBoth()")
+    assert page.value("trackers.size") == 0
+
+
+def test_it_fires_only_while_it_is_enabled(page: IntentPage) -> None:
+    page.make(
+        "window.isOn = false; box('asked', 600, 500);"
+        "watch(asked, { enabled: (element) => isOn && element === asked });"
+        "watch(box('off', 300, 500), { enabled: false })"
+    )
+    page.move((40, 40), (650, 530), 0.4)
+    page.move((650, 530), (350, 530), 0.4)
+    assert page.said() == []
+    assert page.ledger()["fired"] == 0
+    page.make("isOn = true")
+    page.away()
+    page.move((350, 530), (650, 530), 0.4)
+    assert [one.split()[0] for one in page.said()] == ["asked"]
+
+
+def test_dwell_leaves_out_what_the_pointer_only_crosses(page: IntentPage) -> None:
+    page.make(
+        "for (const element of [box('near', 200, 300), box('far', 600, 300)])"
+        " for (const policy of ['highlight', 'prefetch'])"
+        " watch(element, { threshold: 1, dwell_s: 0.3, policy })"
+    )
+    page.move((40, 330), (650, 330), 0.5)
+    page.wait("heard.length === 2")
+    assert page.said() == ["far entered", "far entered"]
+    page.value("new Promise((done) => setTimeout(done, 400))")
+    assert page.said() == ["far entered", "far entered"]
+
+
+def test_a_firing_says_what_was_compared_with_its_threshold(page: IntentPage) -> None:
+    page.make(
+        "window.firings = []; window.told = []; onLedger((one) => told.push(one));"
+        f"{ROW} for (const policy of ['prefetch', 'highlight'])"
+        " onIntent(b2, (one) => { firings.push(one); },"
+        " { predictor: 'minimum-jerk', policy, threshold: policy === 'prefetch' ? 0.4 : 0.6 })"
+    )
+    page.move((40, 40), (470, 590))
+    found = page.value(
+        "firings.map(({ policy, reason, score, threshold }) => [policy, reason, score, threshold])"
+    )
+    assert {(policy, reason): threshold for policy, reason, _, threshold in found} == {
+        ("prefetch", "predicted"): 0.4,
+        ("highlight", "predicted"): 0.6,
+    }
+    assert all(threshold <= score <= 1.0 for _, _, score, threshold in found)
+    assert page.value("told.map(({ score, threshold }) => [score, threshold])") == [one[2:] for one in found]
+
+
+def test_nothing_was_compared_for_what_was_entered(page: IntentPage) -> None:
+    page.make(
+        "onIntent(box('goal', 500, 300), (one) => { window.firing = one; },"
+        " { threshold: 1, predictor: 'minimum-jerk' })"
+    )
+    page.move((40, 40), (550, 330), 0.3)
+    assert page.value("[firing.reason, firing.score, firing.threshold]") == ["entered", None, None]
+
+
+def test_errors_of_the_page_go_where_it_wants_them(page: IntentPage) -> None:
+    page.make(
+        "window.errors = [];"
+        "const onError = (error, firing) => errors.push([error.message, firing?.element.id]);"
+        "const fails = [() => { throw new Error('at once'); }, async () => { throw new Error('later'); },"
+        " () => () => { throw new Error('at the end'); }];"
+        "const goal = box('goal', 600, 500);"
+        "window.ends = fails.map((fail) => onIntent(goal, fail, { predictor: 'minimum-jerk', onError }))"
+    )
+    page.move((40, 40), (650, 530))
+    page.value("ends.forEach((end) => end())")
+    assert page.value("errors") == [["at once", "goal"], ["later", "goal"], ["at the end", "goal"]]
+
+
+def test_one_time_in_the_future_is_forgotten_at_once(page: IntentPage) -> None:
+    page.make(
+        "watch(box('goal', 500, 500), { once: false });"
+        "const odd = new PointerEvent('pointermove', { isPrimary: true, pointerType: 'mouse', clientX: 5,"
+        " clientY: 5, bubbles: true });"
+        "Object.defineProperty(odd, 'timeStamp', { value: performance.now() + 60000 });"
+        "document.body.dispatchEvent(odd)"
+    )
+    page.away()
+    page.move((40, 40), (550, 530), 0.4)
+    assert page.said() == ["goal predicted"]

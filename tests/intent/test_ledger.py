@@ -57,9 +57,9 @@ def test_memory_is_bounded(page: IntentPage) -> None:
     page.make(
         "window.done = import('/pointpred/intent/registration.js').then(({ ledger: book }) => {"
         " for (let i = 0; i < 3000; i += 1) { const element = document.createElement('b');"
-        "  const one = { element, name: `n${i}`, options: { policy: 'prefetch' } };"
+        "  const one = { element, name: `n${i}`, options: { policy: 'prefetch' }, subject: () => element };"
         "  book.fire(one, { element, name: one.name, policy: 'prefetch', reason: 'predicted', p: 1, t: i });"
-        "  book.activate(element, i + i / 1000); } })"
+        "  book.activate(one, i + i / 1000); } })"
     )
     page.value("done")
     told = page.ledger()
@@ -85,3 +85,34 @@ def test_the_end_of_a_highlight_leaves_the_prefetch_of_the_same_element(page: In
     page.wait("said().includes('goal ended')")
     assert page.value("prefetched.aborted") is False
     assert page.ledger()["withdrawn"] == 1
+
+
+def test_what_was_predicted_and_what_was_entered_are_apart(page: IntentPage) -> None:
+    page.make("watch(box('crossed', 300, 300), { threshold: 1 }); watch(box('goal', 600, 300))")
+    page.move((40, 330), (650, 330), 0.5)
+    page.visitor.click(650, 330)
+    page.settle()
+    told = page.ledger()
+    assert told["reasons"] == {
+        "predicted": {"fired": 1, "hit": 1, "wasted": 0},
+        "entered": {"fired": 1, "hit": 0, "wasted": 1},
+    }
+    assert told["names"]["crossed"]["reasons"] == {"entered": {"fired": 1, "hit": 0, "wasted": 1}}
+
+
+def test_the_right_button_opens_a_menu_and_the_middle_one_a_link(page: IntentPage) -> None:
+    page.make("watch(box('goal', 600, 300))")
+    page.move((40, 40), (650, 330), 0.4)
+    for button, buttons, hit in (("right", 2, 0), ("middle", 4, 1)):
+        for kind, pressed in (("mousePressed", buttons), ("mouseReleased", 0)):
+            page.visitor.hand.call(
+                "Input.dispatchMouseEvent",
+                type=kind,
+                x=650,
+                y=330,
+                button=button,
+                buttons=pressed,
+                clickCount=1,
+            )
+        page.settle()
+        assert page.ledger()["hit"] == hit

@@ -141,3 +141,20 @@ def test_places_are_scrolled_with_the_page(page: IntentPage) -> None:
 def test_what_cannot_be_used_is_refused(page: IntentPage, call: str, message: str) -> None:
     with pytest.raises(SourceError, match=message):
         page.value(call)
+
+
+@pytest.mark.parametrize(
+    "broken",
+    [
+        "Object.defineProperty(window, 'localStorage', {"
+        " get() { throw new DOMException('denied', 'SecurityError'); } })",
+        "Storage.prototype.getItem = Storage.prototype.setItem = Storage.prototype.removeItem ="
+        " () => { throw new DOMException('full', 'QuotaExceededError'); }",
+    ],
+)
+def test_places_work_without_the_store(page: IntentPage, broken: str) -> None:
+    page.make(f"{broken}; window.places = onPlace(() => {{}}, {{ store: 'x' }})")
+    assert page.value("places.ready.then(() => 'ready')") == "ready"
+    page.value("dispatchEvent(new StorageEvent('storage', { key: 'x', newValue: null }))")
+    page.value("places.forget(); places.stop()")
+    assert page.visitor.complaints() == []

@@ -70,3 +70,47 @@ def test_every_target_on_the_way_has_fired_when_the_pointer_is_in_it(page: Inten
     page.move((50, 330), (950, 330), 0.6)
     assert {one.split()[0] for one in page.said()} == {f"b{i}" for i in range(8)}
     assert len(page.said()) == 8
+
+
+def test_a_highlight_ends_when_the_pointer_stops_beside_its_element(page: IntentPage) -> None:
+    page.make("watch(box('lit', 700, 300), { policy: 'highlight' }); watch(box('near', 400, 300))")
+    page.move((40, 40), (600, 300), 0.4)
+    assert "lit predicted" in page.said()
+    page.wait("said().at(-1) === 'lit ended'", patience_s=5.0)
+    assert page.value("signals.lit.aborted")
+
+
+def test_what_an_async_callback_returns_cleans_up(page: IntentPage) -> None:
+    page.make(
+        "window.cleaned = 0; window.open = []; box('lit', 600, 300);"
+        "onIntent(lit, async () => { await new Promise((done) => open.push(done));"
+        " return () => { cleaned += 1; }; },"
+        " { predictor: 'minimum-jerk', policy: 'highlight' })"
+    )
+    page.move((40, 40), (650, 330), 0.4)
+    page.value("open.shift()()")
+    assert page.value("cleaned") == 0
+    page.away()
+    page.move((650, 330), (40, 600), 0.4)
+    assert page.value("cleaned") == 1, "it is called when the highlight ends"
+    page.away()
+    page.move((40, 600), (650, 330), 0.4)
+    page.away()
+    page.move((650, 330), (40, 600), 0.4)
+    assert page.value("cleaned") == 1
+    page.value("open.shift()()")
+    page.wait("cleaned === 2")  # it comes when the highlight has ended: at once
+
+
+def test_attributes_carry_the_state_where_asked_for(page: IntentPage) -> None:
+    marks = "[lit.getAttribute('data-target'), lit.getAttribute('data-predicted')]"
+    page.make(
+        "watch(box('lit', 600, 300), { policy: 'highlight', attributes: true });"
+        "watch(box('plain', 300, 300), { policy: 'highlight' })"
+    )
+    page.move((40, 40), (640, 330), 0.4)
+    assert page.value(marks) == ["predicted", ""]
+    page.away()
+    page.move((640, 330), (350, 330), 0.4)
+    page.wait(f"{marks}.every((one) => one === null)")
+    assert page.value("plain.hasAttribute('data-target')") is False

@@ -56,3 +56,19 @@ def test_what_is_about_to_come_into_view_fires_where_asked_for(page: IntentPage)
     assert page.said() == ["soon scroll"]
     scroll(page, 24, 1900)
     assert page.said() == ["soon scroll", "later scroll"]
+
+
+def test_what_was_in_view_before_the_scroll_has_not_come(page: IntentPage) -> None:
+    page.make(
+        "document.body.style.height = '5000px'; watch(box('seen', 100, 100), { scroll: 'view' });"
+        "watch(box('soon', 100, 800), { scroll: 'view' })"
+    )
+    scroll(page, 0, 12)
+    assert page.said() == ["soon scroll"]
+    page.make("watch(box('late', 400, 200), { scroll: 'view' })")
+    scroll(page, 12, 24)
+    assert page.said() == ["soon scroll"], "it was in view when it was registered"
+    scroll(page, 24, 1900)
+    scroll(page, 1900, 1912)
+    page.value("scrollTo(0, 0)")
+    page.wait("said().includes('seen scroll')")  # it has gone and comes back

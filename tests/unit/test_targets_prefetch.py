@@ -208,3 +208,31 @@ def test_after_a_reset_the_same_movement_fires_the_same() -> None:
 def test_a_threshold_out_of_bounds_is_refused() -> None:
     with pytest.raises(ParameterError, match="threshold"):
         Prefetcher(Told(), threshold=1.5)
+
+
+@given(seed=st.integers(0, 10_000))
+def test_no_target_that_reaches_its_threshold_is_passed_over(seed: int) -> None:
+    """Targets that are looked at no further could not have fired, also with settings that were not fitted."""
+    rng = np.random.default_rng(seed)
+    count = 30
+    rows = np.column_stack(
+        [rng.uniform(0, 1000, (count, 2)), rng.uniform(5, 120, (count, 2)), np.zeros(count)]
+    )
+    page = Page([around(i, 0.0, 0.0, 10.0) for i in range(count)])
+    page.table[:, :4] = rows[:, :4]
+    page.thresholds[:] = rng.choice([0.05, 0.2, 0.5, 0.9], count)
+    settings = SETTINGS * rng.choice([-1.0, 0.5, 1.0, 2.0], len(SETTINGS))
+    start, end = rng.uniform(0, 1000, 2), rng.uniform(0, 1000, 2)
+    for i in range(6):
+        x, y = start + i / 8 * (end - start)
+        shares = rng.dirichlet(np.full(count + 1, 0.3))
+        cursor.follow(page.state.memory, i / 60, x, y, 0.0)
+        prefetch.step(page.state.memory, page.targets, shares, settings)
+        expected = prefetch.expect(x, y, page.table, page.visits, shares)
+        moves = np.hypot(*(np.array([x, y]) - start)) >= prefetch.LEAST_WAY_PX
+        for k in range(count):
+            if page.fired[k] != ARMED or not moves:
+                continue
+            state = page.state.cursor.memory
+            reached = prefetch.score(state, page.table[k], shares[k], page.visits[k], expected, settings)
+            assert reached < prefetch.log_odds(page.thresholds[k])

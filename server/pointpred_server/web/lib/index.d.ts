@@ -41,10 +41,14 @@ export interface IntentOptions {
    * and less often. If an element has several registrations, the lowest counts. 1 is accepted, too: a prefetch then fires at entry only.
    */
   threshold?: number;
+  /** Whether it fires at all, asked each time it would; true by default. It stays registered meanwhile. */
+  enabled?: boolean | ((element: Element) => boolean);
   /** Whether it fires only once; true by default for prefetch. Otherwise once in each movement. */
   once?: boolean;
   /** After so many seconds it may fire again, also with `once`; never by default. */
   again_s?: number;
+  /** How long the pointer must have been in it to fire for that, s; 0 by default. A prediction does not wait. */
+  dwell_s?: number;
   /** How far beyond its sides the element counts, px; 0 by default. */
   hitSlop?: number | Sides;
   /** Weight before the pointer moves; other elements have 1. 0 never fires. */
@@ -66,6 +70,13 @@ export interface IntentOptions {
   scroll?: "pointer" | "view" | "none";
   /** `"respect"` (default): no prefetch while the user saves data or has a 2G connection. */
   saveData?: "respect" | "ignore";
+  /**
+   * Marks the element for style sheets as long as a firing holds (a prefetch: until it is stopped): `data-target` with the reason, and
+   * `data-predicted` where that is `"predicted"`; false by default.
+   */
+  attributes?: boolean;
+  /** Is called with what the page's own functions throw or reject with, instead of the console; `firing` null if none holds. */
+  onError?: (error: unknown, firing: Firing | null) => void;
 }
 
 /** What a callback is given. */
@@ -76,6 +87,13 @@ export interface Firing {
   reason: Reason;
   /** The probability that the movement is for this element; 1 where it is certain. */
   p: number;
+  /**
+   * What was compared with `threshold` to predict: how likely the pointer goes through the element soon (prefetch), or to it and not to
+   * something that is not registered (highlight); null for other reasons.
+   */
+  score: number | null;
+  /** The lowest of the element; null for other reasons. */
+  threshold: number | null;
   /** When, s since the page was opened. */
   t: number;
   /** The predicted time until the pointer arrives, s; null where none is predicted. */
@@ -84,7 +102,7 @@ export interface Firing {
   signal: AbortSignal;
 }
 
-/** May return a function, which is called when a highlight ends. */
+/** May return a function, or a promise of one, which is called when a highlight ends. */
 export type IntentCallback = (firing: Firing) => unknown;
 
 /** A registered element. */
@@ -101,8 +119,12 @@ export interface Handle {
   stop(): void;
 }
 
-/** Calls `callback` when the user is heading for an element. Returns what stops it. */
-export function onIntent(element: Element, callback: IntentCallback, options?: IntentOptions): () => void;
+/** Calls `callback` when the user is heading for an element, or for one of several, such as a NodeList. Returns what stops it. */
+export function onIntent(
+  elements: Element | Iterable<Element>,
+  callback: IntentCallback,
+  options?: IntentOptions,
+): () => void;
 
 /** Registers an element without a callback, so that its neighbours are predicted by mistake less often. */
 export function register(element: Element, options?: IntentOptions): Handle;
@@ -110,12 +132,30 @@ export function register(element: Element, options?: IntentOptions): Handle;
 export interface PrefetchLinkOptions extends IntentOptions {
   /** `"prefetch"` (default) or `"prerender"`, where the browser has Speculation Rules. */
   action?: "prefetch" | "prerender";
-  /** Whether links to other origins are loaded, too; false by default. */
-  crossOrigin?: boolean;
+  /** The address of the page behind an element, which then need not be a link; nothing: none. Its `href` by default. */
+  href?: (element: Element) => string | URL | null | undefined;
+  /**
+   * What is left out besides addresses that look as if they logged out or changed something, and all in an element with
+   * `data-no-prefetch`: what a pattern finds in the address, or a function says so of.
+   */
+  ignore?: LinkFilter | readonly LinkFilter[];
+  /** Other origins whose pages may be loaded, such as `"https://shop.example"`; `"*"`: all. None by default. */
+  origins?: string | readonly string[];
+  /** The most pages to load; no limit by default. */
+  limit?: number;
+  /**
+   * The nonce of the page's Content Security Policy, so that Speculation Rules can be used; `""` where the policy allows them by
+   * `'inline-speculation-rules'`. Without it a page with a policy uses `<link rel=prefetch>`.
+   */
+  nonce?: string;
+  /** Also take links that are added later; for a selector. False by default. */
+  watch?: boolean;
 }
 
-/** Loads the pages of links that the user is heading for. Returns what stops it. */
-export function prefetchLink(links: Element | string, options?: PrefetchLinkOptions): () => void;
+export type LinkFilter = RegExp | ((element: Element, address: URL) => boolean);
+
+/** Loads the pages of links that the user is heading for: of one, of several, or of a selector. Returns what stops it. */
+export function prefetchLink(links: Element | Iterable<Element> | string, options?: PrefetchLinkOptions): () => void;
 
 export interface PlaceOptions {
   /** The share that a place must have to be proposed; 0.5 by default. */
@@ -156,18 +196,22 @@ export interface PlaceHandle {
 /** Calls `callback` when the user is heading for a place where movements ended before: nothing is registered. It may return a function, which is called when that is over. */
 export function onPlace(callback: (firing: PlaceFiring) => unknown, options?: PlaceOptions): PlaceHandle;
 
-export interface Counts {
+/** `fired`: calls of callbacks; `hit`: those whose element, or page, was used afterwards; `wasted`: the others so far. */
+export interface Firings {
   fired: number;
-  /** Firings whose element was activated afterwards. */
   hit: number;
-  /** Firings whose element has not been activated so far. */
   wasted: number;
+}
+
+export interface Counts extends Firings {
   /** Firings left out to save data. */
   withheld: number;
   /** Highlights that have ended. */
   withdrawn: number;
   /** From firing to activation, s, of the newest 1,000 hits; null where there is none. */
   lead_s: { count: number; least: number | null; median: number | null; most: number | null };
+  /** The same by the reason, of those that there were. */
+  reasons: { [reason in Reason]?: Firings };
 }
 
 export interface LedgerSummary extends Counts {
@@ -181,6 +225,8 @@ export interface LedgerEntry {
   policy: "prefetch" | "highlight";
   reason: Reason;
   p: number;
+  score: number | null;
+  threshold: number | null;
   t: number;
   /** Of a hit. */
   lead_s: number | null;

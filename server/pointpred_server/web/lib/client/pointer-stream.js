@@ -1,5 +1,6 @@
 // The pointer events of an element: every coalesced sample of the primary pointer, in the order of time.
 
+const AHEAD_MS = 100; // an event that is stamped later than this has a clock of its own
 const LAG_S = 0.002; // a dispatch that spans more comes from a page that lags behind
 
 /** Listens to pointer events and passes them on as rows. */
@@ -52,9 +53,10 @@ export class PointerStream {
   #add(event) {
     if (!event.isPrimary || !this.#accepts(event)) return;
     this.offset = [event.screenX - event.clientX, event.screenY - event.clientY];
-    const coalesced = event.getCoalescedEvents?.() ?? [];
+    const coalesced = event.getCoalescedEvents?.() ?? [],
+      now = performance.now();
     const rows = (coalesced.length ? coalesced : [event]).map((one) => [
-      one.timeStamp / 1000,
+      (one.timeStamp > now + AHEAD_MS ? now : one.timeStamp) / 1000,
       this.#onScreen ? one.screenX : one.clientX,
       this.#onScreen ? one.screenY : one.clientY,
       null,

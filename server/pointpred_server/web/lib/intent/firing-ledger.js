@@ -1,46 +1,41 @@
 // The ledger of what fired: the callbacks of registered elements, and which of these were used.
 
-import { Leads } from "../prediction/leads.js";
-
+const MOST_LEADS = 1000;
 const MOST_NAMES = 500; // names beyond are counted in the totals only
 
-/** What the page's own function returns; its error is logged, and keeps nothing else from being called. */
-export function attempt(call) {
+/**
+ * What the page's own function returns. Its error, also of a promise that it returns, is logged unless something else takes
+ * it, and keeps nothing else from being called.
+ */
+export function attempt(call, onError = reportError) {
   try {
-    return call();
+    const answer = call();
+    if (typeof answer?.then === "function") answer.then(undefined, onError);
+    return answer;
   } catch (error) {
-    reportError(error);
+    onError(error);
     return undefined;
   }
 }
 
-/** Counts of one name, or of all. */
-class Counts {
-  fired = 0;
-  hit = 0;
-  withheld = 0;
-  withdrawn = 0;
-  leads = new Leads();
-
-  /** @returns {import("../index.d.ts").Counts} */
-  summary() {
-    const { fired, hit, withheld, withdrawn } = this;
-    return { fired, hit, wasted: fired - hit, withheld, withdrawn, lead_s: this.leads.summary };
-  }
-}
+/**
+ * Counts of one name, or of all; `leads`: from firing to use, s, of the newest hits.
+ * @returns {{withheld: number, withdrawn: number, leads: number[], reasons: Object<string, {fired: number, hit: number}>}}
+ */
+const nothing = () => ({ withheld: 0, withdrawn: 0, leads: [], reasons: {} });
 
 /** Counts the firings of registered elements, and which of these were used. */
 export class FiringLedger {
-  #all = new Counts();
-  #names = new Map();
+  all = nothing();
+  /** @type {Map<string, ReturnType<typeof nothing>>} */ names = new Map();
   #open = new WeakMap();
   #listeners = new Set();
 
   /** @param {import("./registration.js").Registration} registration @param {import("../index.d.ts").Firing} firing */
   fire(registration, firing) {
-    for (const counts of this.#countsOf(registration)) counts.fired += 1;
-    const { element } = registration;
-    this.#open.set(element, (this.#open.get(element) ?? new Map()).set(registration, firing));
+    for (const counts of this.#countsOf(registration)) reasonOf(counts, firing).fired += 1;
+    const subject = registration.subject();
+    this.#open.set(subject, (this.#open.get(subject) ?? new Map()).set(registration, firing));
     this.#tell("fired", registration, firing);
   }
 
@@ -53,19 +48,21 @@ export class FiringLedger {
   /** A highlight has ended; whether the element was activated meanwhile is already counted. */
   withdraw(registration, firing, t) {
     for (const counts of this.#countsOf(registration)) counts.withdrawn += 1;
-    this.#open.get(registration.element)?.delete(registration);
+    this.#open.get(registration.subject())?.delete(registration);
     this.#tell("withdrawn", registration, { ...firing, t });
   }
 
-  /** The user activates an element, by a click or a key. @param {Element} element @param {number} t s */
-  activate(element, t) {
-    const open = this.#open.get(element);
-    this.#open.delete(element);
+  /** The user activates the element of a registration, by a click or a key. @param {number} t s */
+  activate(activated, t) {
+    const subject = activated.subject(),
+      open = this.#open.get(subject);
+    this.#open.delete(subject);
     for (const [registration, firing] of open ?? []) {
       const lead_s = Math.max(0, t - firing.t);
       for (const counts of this.#countsOf(registration)) {
-        counts.hit += 1;
-        counts.leads.add(lead_s);
+        reasonOf(counts, firing).hit += 1;
+        counts.leads.push(lead_s);
+        if (counts.leads.length > MOST_LEADS) counts.leads.shift();
       }
       this.#tell("hit", registration, { ...firing, t, lead_s });
     }
@@ -77,20 +74,16 @@ export class FiringLedger {
     return () => this.#listeners.delete(listener);
   }
 
-  /** @returns {import("../index.d.ts").LedgerSummary} */
-  summary() {
-    const names = Object.fromEntries([...this.#names].map(([name, counts]) => [name, counts.summary()]));
-    return { ...this.#all.summary(), names };
-  }
-
   #countsOf({ name }) {
-    if (!name) return [this.#all];
-    if (!this.#names.has(name) && this.#names.size < MOST_NAMES) this.#names.set(name, new Counts());
-    return this.#names.has(name) ? [this.#all, this.#names.get(name)] : [this.#all];
+    if (!name) return [this.all];
+    if (!this.names.has(name) && this.names.size < MOST_NAMES) this.names.set(name, nothing());
+    return this.names.has(name) ? [this.all, this.names.get(name)] : [this.all];
   }
 
-  #tell(kind, { element, name, options: { policy } }, { reason, p, t, lead_s = null }) {
-    for (const listener of this.#listeners)
-      attempt(() => listener({ kind, element, name, policy, reason, p, t, lead_s }));
+  #tell(kind, { element, name, options: { policy } }, { reason, p, score, threshold, t, lead_s = null }) {
+    const entry = { kind, element, name, policy, reason, p, score, threshold, t, lead_s };
+    for (const listener of this.#listeners) attempt(() => listener(entry));
   }
 }
+
+const reasonOf = ({ reasons }, { reason }) => (reasons[reason] ??= { fired: 0, hit: 0 });

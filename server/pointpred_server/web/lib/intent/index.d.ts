@@ -3,11 +3,13 @@
 export type {
   Counts,
   Firing,
+  Firings,
   Handle,
   IntentCallback,
   IntentOptions,
   LedgerEntry,
   LedgerSummary,
+  LinkFilter,
   PlaceFiring,
   PlaceHandle,
   PlaceOptions,

@@ -8,8 +8,12 @@ type Own<Options> = Omit<Options, "predictor" | "service">;
 export type IntentOptions = Own<all.IntentOptions>;
 export type PrefetchLinkOptions = Own<all.PrefetchLinkOptions>;
 
-/** Calls `callback` when the user is heading for an element. Returns what stops it. */
-export function onIntent(element: Element, callback: all.IntentCallback, options?: IntentOptions): () => void;
+/** Calls `callback` when the user is heading for an element, or for one of several, such as a NodeList. Returns what stops it. */
+export function onIntent(
+  elements: Element | Iterable<Element>,
+  callback: all.IntentCallback,
+  options?: IntentOptions,
+): () => void;
 
 /** Registers an element without a callback, so that its neighbours are predicted by mistake less often. */
 export function register(element: Element, options?: IntentOptions): all.Handle;

@@ -43,6 +43,15 @@ function optionsOf(given = {}) {
   return options;
 }
 
+/** What the page's store answers; undefined where the browser refuses it: cookies are blocked, or it is full. */
+function inStorage(use) {
+  try {
+    return use(localStorage);
+  } catch {
+    return undefined;
+  }
+}
+
 /** Follows the pointer, and proposes places of the page; scrolling moves them. */
 class Places {
   /** Settles when the predictor is loaded. @type {Promise<void>} */ ready;
@@ -77,7 +86,8 @@ class Places {
 
   /** Forgets the person, here and in what was stored. */
   forget() {
-    if (this.#options.store !== undefined) localStorage.removeItem(this.#options.store);
+    const { store } = this.#options;
+    if (store !== undefined) inStorage((storage) => storage.removeItem(store));
     this.#forget();
   }
 
@@ -92,7 +102,9 @@ class Places {
   #follows({ storageArea, key, newValue }) {
     const { store } = this.#options;
     return (
-      store !== undefined && storageArea === localStorage && (key === null || (key === store && newValue === null))
+      store !== undefined &&
+      inStorage((storage) => storage === storageArea) === true &&
+      (key === null || (key === store && newValue === null))
     );
   }
 
@@ -114,7 +126,8 @@ class Places {
   async #known() {
     const build = this.#build;
     const { store } = this.#options;
-    const person = () => this.#options.person || (store !== undefined && localStorage.getItem(store)) || "";
+    const stored = () => (store === undefined ? "" : inStorage((storage) => storage.getItem(store)));
+    const person = () => this.#options.person || stored() || "";
     const given = person();
     const pipeline = await build({ person: given }).catch(() => build());
     return person() === given ? pipeline : build(); // forgotten meanwhile
@@ -168,9 +181,11 @@ class Places {
 
   /** Finishes the movement, and keeps what it has taught. */
   #save() {
-    if (this.#pipeline === null || this.#options.store === undefined) return;
+    const { store } = this.#options,
+      pipeline = this.#pipeline;
+    if (pipeline === null || store === undefined) return;
     this.#withdraw();
-    this.#pipeline.reset();
-    if (this.#pipeline.person) localStorage.setItem(this.#options.store, this.#pipeline.person);
+    pipeline.reset();
+    if (pipeline.person) inStorage((storage) => storage.setItem(store, pipeline.person));
   }
 }

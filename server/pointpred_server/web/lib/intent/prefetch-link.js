@@ -1,71 +1,120 @@
-// Loads the page behind a link when the user is heading for it.
+// Loads the pages behind links when the user is heading for them.
 
 import { needDocument } from "../client/document.js";
+import { attempt } from "./firing-ledger.js";
+import { ask, isAsked, pageOf } from "./pages.js";
+import { listOf, named } from "./register.js";
 
-const loaded = new Set(); // addresses, so that each is loaded once
-let speculates; // whether the browser has rules, and takes them; known from the first page that is loaded
+const WATCH_MS = 100; // so long after a change of the page its links are looked for again
 
-/** A page whose Content Security Policy refuses inline scripts refuses the rules: links take over. */
-function begin() {
-  speculates = HTMLScriptElement.supports?.("speculationrules") ?? false;
-  document.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => {
-    if (!speculates || blockedURI !== "inline" || !effectiveDirective.startsWith("script-src")) return;
-    speculates = false;
-    for (const address of loaded) addLink(address);
-  });
-}
+/** Addresses that end a session or change something, although a GET should do neither. */
+const UNSAFE =
+  /(?:^|[^a-z])(?:log|sign)[-_]?(?:out|off)|[/=?&](?:unsubscribe|delete|remove|add[-_]to[-_]cart)(?=[/?&=.]|$)/i;
 
 /**
- * `prefetchLink` with this `onIntent`. It prefetches or prerenders the pages of links that the user is heading for: by Speculation Rules where the browser has them,
- * else by `<link rel=prefetch>`. Left out are links to other origins (unless `crossOrigin`), to this page itself, with
- * `download` or another `target`, and pages loaded before. A link that is added later, or whose address changes to one that may be loaded, needs another call.
+ * `prefetchLink` with this `onIntent`. It prefetches or prerenders the pages of links that the user is heading for: by Speculation
+ * Rules where the browser has them and may use them, else by `<link rel=prefetch>`. Left out are links to other origins, to this
+ * page itself, with `download` or another `target`, in an element with `data-no-prefetch`, with an address that looks as if it
+ * logged out or changed something, and to pages loaded in the last five minutes. Throws a TypeError or a RangeError for links and
+ * options that cannot be used; then none is registered.
  * @param {ReturnType<import("./register.js").onIntentWith>} onIntent
- * @returns {(links: Element|string, options?: import("../index.d.ts").PrefetchLinkOptions) => () => void} takes a link, or a selector of
- *   several; options of `onIntent`, and `action`, `crossOrigin`. What it returns stops it
+ * @returns {(links: Element|Iterable<Element>|string, options?: import("../index.d.ts").PrefetchLinkOptions) => () => void} takes links or a
+ *   selector, and options of `onIntent` besides its own. What it returns stops it
  */
 export const prefetchLinkWith = (onIntent) => (links, options) => prefetch(onIntent, links, options);
 
-function prefetch(onIntent, links, { action = "prefetch", crossOrigin = false, ...options } = {}) {
+function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonce, watch = false, ...given } = {}) {
   needDocument("prefetchLink");
+  const { href, ignore = [], origins = [], ...options } = given;
+  const rules = { href, ignores: [ignore].flat(), origins: [origins].flat() };
+  check(links, { action, limit, watch, ...rules });
+  const registered = new Map(); // what stops it, by link
+  const pageFor = (link) => {
+    const address = attempt(() => loadable(link, rules), options.onError) ?? null;
+    return address === null ? null : pageOf(address);
+  };
+  let left = limit;
+  const load = ({ element }) => {
+    left -= 1;
+    ask(pageFor(element), action, nonce);
+  };
+  const { enabled = true } = options;
+  const isOn = (link) => {
+    const page = pageFor(link);
+    return left > 0 && page !== null && !isAsked(page) && (typeof enabled === "function" ? enabled(link) : enabled);
+  };
+  const add = (found) => {
+    for (const one of found)
+      if (!(href ? one instanceof Element : isLink(one)))
+        throw new TypeError(`a link (<a href> or <area href>) is needed, received ${named(one)}`);
+    onIntent([], load, options); // checks them
+    for (const one of found)
+      if (!registered.has(one) && pageFor(one) !== null)
+        registered.set(
+          one,
+          onIntent(one, load, { ...options, enabled: isOn }, (link) => pageFor(link) ?? link),
+        );
+  };
+  add(typeof links === "string" ? [...document.querySelectorAll(links)] : listOf(links));
+  const unwatch = watch ? watchLinks(links, registered, add) : () => {};
+  return () => {
+    unwatch();
+    for (const stop of registered.values()) stop();
+  };
+}
+
+/** Throws a TypeError or a RangeError for an option that cannot be used. */
+function check(links, { action, limit, watch, href, ignores }) {
   if (action !== "prefetch" && action !== "prerender")
     throw new TypeError(`action must be prefetch or prerender, received ${action}`);
-  const found = typeof links === "string" ? [...document.querySelectorAll(links)] : [links];
-  const stops = found.map((link) => {
-    if (!(link instanceof HTMLAnchorElement)) throw new TypeError(`a link (<a href>) is needed, received ${link}`);
-    return isLoadable(link, crossOrigin)
-      ? onIntent(link, () => isLoadable(link, crossOrigin) && load(link.href, action), options)
-      : () => {};
+  if (!(limit >= 1)) throw new RangeError(`limit must be a number from 1 on, received ${limit}`);
+  if (watch && typeof links !== "string") throw new TypeError(`watch needs a selector, received ${links}`);
+  if (href !== undefined && typeof href !== "function")
+    throw new TypeError(`href must be a function, received ${href}`);
+  for (const one of ignores)
+    if (typeof one !== "function" && !(one instanceof RegExp))
+      throw new TypeError(`ignore must be a RegExp, a function or a list of these, received ${one}`);
+}
+
+/** Registers links of a selector that are added later, and stops those that have gone. @returns {() => void} stops it */
+function watchLinks(selector, registered, add) {
+  let timer = 0;
+  const update = () => {
+    timer = 0;
+    const found = new Set(document.querySelectorAll(selector));
+    for (const [link, stop] of registered)
+      if (!found.has(link)) {
+        stop();
+        registered.delete(link);
+      }
+    attempt(() => add([...found]));
+  };
+  const observer = new MutationObserver(() => {
+    timer ||= setTimeout(update, WATCH_MS);
   });
-  return () => stops.forEach((stop) => stop());
+  observer.observe(document, { subtree: true, childList: true, attributeFilter: ["href", "class"] });
+  return () => {
+    observer.disconnect();
+    clearTimeout(timer);
+  };
 }
 
-/** Whether a link leads to a page that may be loaded ahead. */
-function isLoadable(link, crossOrigin) {
-  const { href, origin, protocol, target } = link;
-  const [page, here] = [href, location.href].map((url) => url.replace(/#.*/, ""));
-  return (
-    href !== "" &&
-    /^https?:$/.test(protocol) &&
-    (crossOrigin || origin === location.origin) &&
-    page !== here &&
-    (target === "" || target === "_self") &&
-    !link.hasAttribute("download")
-  );
-}
+const isLink = (one) => one instanceof Element && (one.localName === "a" || one.localName === "area");
 
-/** Asks the browser to load a page, once. */
-function load(url, action) {
-  const address = url.replace(/#.*/, "");
-  if (loaded.has(address)) return;
-  loaded.add(address);
-  if (speculates === undefined) begin();
-  if (!speculates) return addLink(address);
-  const rules = document.createElement("script");
-  rules.type = "speculationrules";
-  rules.textContent = JSON.stringify({ [action]: [{ source: "list", urls: [address], eagerness: "immediate" }] });
-  document.head.append(rules);
-}
-
-function addLink(address) {
-  document.head.append(Object.assign(document.createElement("link"), { rel: "prefetch", href: address }));
+/** The address of the page behind a link without its fragment; null if it shall not be loaded ahead. */
+function loadable(link, { href, ignores, origins }) {
+  const given = href ? href(link) : (link.href?.baseVal ?? link.href);
+  if (!given) return null;
+  const url = new URL(given, document.baseURI);
+  url.hash = "";
+  const isLoaded =
+    /^https?:$/.test(url.protocol) &&
+    (url.origin === location.origin || origins.includes("*") || origins.includes(url.origin)) &&
+    url.href !== location.href.replace(/#.*/, "") &&
+    ["", "_self"].includes(link.getAttribute("target") ?? "") &&
+    !link.hasAttribute("download") &&
+    !link.closest("[data-no-prefetch]") &&
+    !UNSAFE.test(url.pathname + url.search) &&
+    !ignores.some((one) => (one instanceof RegExp ? one.test(url.href) : one(link, url)));
+  return isLoaded ? url.href : null;
 }

@@ -6,27 +6,39 @@ import { Registration } from "./registration.js";
 import { Source } from "./source.js";
 import { Tracker } from "./tracker.js";
 
-const CHOICES = {
+/** What an option may be: one of some words or kinds of values, or a number between two. */
+const KNOWN = {
   policy: ["prefetch", "highlight"],
   touch: ["start", "viewport", "none"],
   scroll: ["pointer", "view", "none"],
   saveData: ["respect", "ignore"],
+  enabled: ["a boolean", "a function"],
+  attributes: ["a boolean"],
+  onError: ["a function", "a undefined"],
+  priority: [0, 1e6],
+  threshold: [1e-6, 1],
+  again_s: [0, Infinity],
+  keyboard: [0, 20],
+  dwell_s: [0, 60],
 };
-const NUMBERS = { priority: [0, 1e6], threshold: [0, 1], again_s: [0, Infinity], keyboard: [0, 20] };
 const DEFAULTS = {
   policy: "prefetch",
   name: "",
   hitSlop: 0,
   priority: 1,
   threshold: THRESHOLD,
+  enabled: true,
   once: undefined,
   again_s: Infinity,
+  dwell_s: 0,
   keyboard: 2,
   touch: "start",
   scroll: "pointer",
   saveData: "respect",
+  attributes: false,
+  onError: undefined,
 };
-const SIDES = ["top", "right", "bottom", "left"];
+const NO_SLOP = { top: 0, right: 0, bottom: 0, left: 0 };
 
 /** The trackers in use, by their predictor and service. @type {Map<string, Tracker>} */
 export const trackers = new Map();
@@ -39,16 +51,18 @@ export const trackers = new Map();
 
 /**
  * `onIntent` with these predictors. It calls `callback` when the user is heading for an element. Throws a TypeError or a RangeError
- * for options that cannot be used.
+ * for elements and options that cannot be used; then none is registered.
  * @param {Offer} offer
- * @returns {(element: Element, callback: import("../index.d.ts").IntentCallback, options?: import("../index.d.ts").IntentOptions) => () => void}
- *   what it returns stops it; the last one to stop leaves no listener on the page
+ * @returns {(elements: Element|Iterable<Element>, callback: import("../index.d.ts").IntentCallback, options?: import("../index.d.ts").IntentOptions,
+ *   subjectOf?: (element: Element) => object) => () => void} what it returns stops it; the last one to stop leaves no listener on the page.
+ *   `subjectOf`: what the callback for an element loads; a click on one is a hit of all elements with the same
  */
 export const onIntentWith = (offer) =>
-  function onIntent(element, callback, options) {
+  function onIntent(elements, callback, options, subjectOf) {
     needDocument("onIntent");
     if (typeof callback !== "function") throw new TypeError(`onIntent needs a function to call, received ${callback}`);
-    return begin(offer, element, callback, options).stop;
+    const handles = begin(offer, listOf(elements), callback, options, subjectOf);
+    return () => handles.forEach(({ stop }) => stop());
   };
 
 /**
@@ -59,23 +73,42 @@ export const onIntentWith = (offer) =>
 export const registerWith = (offer) =>
   function register(element, options) {
     needDocument("register");
-    return begin(offer, element, null, options);
+    return begin(offer, [element], null, options)[0];
   };
 
-function begin(offer, element, callback, given) {
-  if (!(element instanceof Element)) throw new TypeError(`an element of the page is needed, received ${element}`);
+/** The elements of a list, such as a NodeList, or the one that is given. */
+export const listOf = (given) =>
+  given?.[Symbol.iterator] && !given.nodeType && given !== String(given) ? [...given] : [given];
+
+/** What an error calls an element. */
+export const named = (one) => (one?.localName ? `<${one.localName}${one.id ? ` id="${one.id}"` : ""}>` : String(one));
+
+/** Registers elements, all or none. */
+function begin(offer, elements, callback, given, subjectOf) {
   const options = optionsOf(offer, given);
-  const registration = new Registration(element, callback, options);
+  elements.forEach(check);
+  if (elements.length === 0) return [];
   const tracker = trackerOf(offer.of(options));
-  tracker.add(registration);
-  return {
-    element,
-    ready: tracker.ready,
-    stop: () => tracker.remove(registration),
-    get share() {
-      return tracker.share(element);
-    },
-  };
+  return elements.map((element) => {
+    const registration = new Registration(element, callback, options, subjectOf && (() => subjectOf(element)));
+    tracker.add(registration);
+    return {
+      element,
+      ready: tracker.ready,
+      stop: () => tracker.remove(registration),
+      get share() {
+        return tracker.share(element);
+      },
+    };
+  });
+}
+
+function check(element) {
+  const view = element?.ownerDocument?.defaultView;
+  if (view && view !== window)
+    throw new TypeError(`${named(element)} belongs to the document of a frame: load pointpred there, too`);
+  if (!(element instanceof Element))
+    throw new TypeError(`an element of the page is needed, received ${named(element)}`);
 }
 
 /** The tracker of a predictor; the first registration begins it. */
@@ -104,23 +137,31 @@ function optionsOf({ defaults, choices }, given = {}) {
     if (!(name in options)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(options).join(", ")}`);
     if (value !== undefined) options[name] = value;
   }
-  for (const [name, known] of Object.entries({ ...CHOICES, ...choices }))
-    if (!known.includes(options[name]))
-      throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${options[name]}`);
-  for (const [name, [low, high]] of Object.entries(NUMBERS)) checkNumber(name, options[name], low, high);
+  for (const [name, known] of Object.entries({ ...KNOWN, ...choices })) {
+    const value = options[name];
+    if (typeof known[0] === "number") checkNumber(name, value, known);
+    else if (!known.includes(value) && !known.includes(`a ${typeof value}`))
+      throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${value}`);
+  }
   options.once ??= options.policy === "prefetch";
   options.hitSlop = sidesOf(options.hitSlop);
   return options;
 }
 
-function checkNumber(name, value, low, high) {
+function checkNumber(name, value, [low, high]) {
   if (!(typeof value === "number" && value >= low && value <= high))
     throw new RangeError(`${name} must be a number in [${low}, ${high}], received ${value}`);
 }
 
 /** Of each side, how far the element counts beyond it, px. */
 function sidesOf(slop) {
-  const sides = Object.fromEntries(SIDES.map((side) => [side, typeof slop === "number" ? slop : (slop[side] ?? 0)]));
-  for (const side of SIDES) checkNumber(`hitSlop ${side}`, sides[side], 0, 10000);
+  const sides = { ...NO_SLOP };
+  const given = Object(slop) === slop ? slop : { top: slop, right: slop, bottom: slop, left: slop };
+  for (const [side, px] of Object.entries(given)) {
+    if (!(side in NO_SLOP))
+      throw new TypeError(`unknown side ${side} of hitSlop; known: ${Object.keys(NO_SLOP).join(", ")}`);
+    sides[side] = px ?? 0;
+    checkNumber(`hitSlop ${side}`, sides[side], [0, 10000]);
+  }
   return sides;
 }

@@ -2,6 +2,7 @@
 
 import { attempt, FiringLedger } from "./firing-ledger.js";
 
+const MARKS = ["data-target", "data-predicted"]; // attributes for style sheets
 const SLOW = ["slow-2g", "2g"]; // connections too slow to load anything ahead
 
 /** What has fired in this page. */
@@ -22,10 +23,14 @@ export class Registration {
   #withheld = false;
   #end = new AbortController();
   #cleanup = null;
+  #waiting = 0;
 
-  /** @param {Element} element @param {import("../index.d.ts").IntentCallback|null} callback @param {object} options with their defaults */
-  constructor(element, callback, options) {
-    [this.element, this.#callback, this.options] = [element, callback, options];
+  /**
+   * @param {Element} element @param {import("../index.d.ts").IntentCallback|null} callback @param {object} options with their defaults
+   * @param {() => object} [subject] what its callback is for; a hit of one is a hit of all that have the same
+   */
+  constructor(element, callback, options, subject = () => element) {
+    [this.element, this.#callback, this.options, this.subject] = [element, callback, options, subject];
     this.name = options.name || element.id;
   }
 
@@ -39,29 +44,52 @@ export class Registration {
    * @param {number} t s @param {number} visit the number of the movement, the key press or the touch: one fires once in each
    */
   mayFire(t, visit) {
+    const { policy, once, again_s, enabled } = this.options;
     if (this.#callback === null || this.firing?.policy === "highlight") return false;
     if (this.#withheld && isReduced()) return false;
-    if (this.options.policy === "prefetch" && this.#firedIn === visit) return false;
-    return this.#firedAt === -Infinity || !this.options.once || t - this.#firedAt >= this.options.again_s;
+    if (policy === "prefetch" && this.#firedIn === visit) return false;
+    if (this.#firedAt !== -Infinity && once && t - this.#firedAt < again_s) return false;
+    return typeof enabled === "function" ? Boolean(attempt(() => enabled(this.element), this.#fail)) : enabled;
   }
 
   /**
    * Calls the callback, unless data shall be saved.
-   * @param {{reason: string, p: number, t: number, remaining_s: number|null}} cause @param {number} visit
+   * @param {import("./tracker.js").Cause} cause @param {number} visit
    */
   fire(cause, visit) {
     const { policy, saveData } = this.options;
     this.#withheld = policy === "prefetch" && saveData === "respect" && isReduced();
     if (this.#withheld) return ledger.withhold(this, cause);
-    [this.#firedAt, this.#firedIn, this.#end] = [cause.t, visit, new AbortController()];
-    this.firing = { element: this.element, name: this.name, policy, ...cause, signal: this.#end.signal };
+    const end = new AbortController();
+    [this.#firedAt, this.#firedIn, this.#end, this.#cleanup] = [cause.t, visit, end, null];
+    this.firing = { element: this.element, name: this.name, policy, ...cause, signal: end.signal };
+    this.#mark(cause.reason);
     ledger.fire(this, this.firing);
-    const answer = attempt(() => this.#callback(this.firing));
-    this.#cleanup = typeof answer === "function" ? answer : null;
+    const answer = attempt(() => this.#callback(this.firing), this.#fail);
+    if (typeof answer?.then === "function")
+      answer.then(
+        (late) => this.#take(late, end),
+        () => {},
+      );
+    else this.#take(answer, end);
+  }
+
+  /** An entry fires when the pointer has stayed for a while, if it is asked to; anything else at once. @param {(t: number) => void} fire */
+  afterDwell(reason, t, fire) {
+    const { dwell_s } = this.options;
+    if (reason !== "entered" || dwell_s === 0) return fire(t);
+    this.cancel();
+    this.#waiting = setTimeout(() => fire(t + dwell_s), 1000 * dwell_s);
+  }
+
+  /** The pointer has not stayed. */
+  cancel() {
+    clearTimeout(this.#waiting);
   }
 
   /** The firing no longer holds. @param {number} t s */
   withdraw(t) {
+    this.cancel();
     if (this.firing === null) return;
     const { firing } = this;
     this.firing = null;
@@ -71,15 +99,37 @@ export class Registration {
 
   /** Nothing is called any more. */
   stop() {
+    this.cancel();
     if (this.firing?.policy === "highlight") this.withdraw(performance.now() / 1000);
     else this.#finish();
     this.#callback = null;
   }
 
+  /** An answer of the callback: what cleans up is called when its firing ends, or at once if it has. */
+  #take(answer, end) {
+    if (typeof answer !== "function") return;
+    if (end.signal.aborted) attempt(answer, this.#fail);
+    else if (end === this.#end) this.#cleanup = answer;
+  }
+
   #finish() {
     this.#end.abort();
+    if (this.options.attributes) for (const name of MARKS) this.element.removeAttribute(name);
     const cleanup = this.#cleanup;
     this.#cleanup = null;
-    if (cleanup) attempt(cleanup);
+    if (cleanup) attempt(cleanup, this.#fail);
   }
+
+  #mark(reason) {
+    if (!this.options.attributes) return;
+    this.element.setAttribute(MARKS[0], reason);
+    if (reason === "predicted") this.element.setAttribute(MARKS[1], "");
+  }
+
+  /** An error of the page's own function. */
+  #fail = (error) => {
+    const { onError } = this.options;
+    if (onError) attempt(() => onError(error, this.firing));
+    else reportError(error);
+  };
 }

@@ -1,7 +1,5 @@
 // What a scroll is about to bring under the pointer that rests, or into view.
 
-import { contact } from "../laws/targets/prefetch.js";
-
 const AHEAD_S = 0.15; // how long the present speed is taken to last
 const SLOWEST = 50; // px/s; slower, nothing is about to come
 const MARGIN = "25%"; // of the viewport: so near, an element is about to come into view
@@ -10,6 +8,12 @@ const MARGIN = "25%"; // of the viewport: so near, an element is about to come i
 export class ScrollAhead {
   #at = -Infinity;
   #places = new Map();
+  #contact;
+
+  /** @param {typeof import("../laws/targets/prefetch.js").contact} contact the law: loaded with what is there already */
+  constructor(contact) {
+    this.#contact = contact;
+  }
 
   /**
    * The elements that their present speed brings under the pointer. A container that scrolls inside the page counts as the page does.
@@ -28,19 +32,20 @@ export class ScrollAhead {
       if (!place || entry.isHidden) return false;
       const vx = (centreX - place[0]) / dt,
         vy = (centreY - place[1]) / dt;
-      return Math.hypot(vx, vy) >= SLOWEST && contact(x, y, -vx, -vy, entry.row) <= AHEAD_S; // as the element sees the pointer come
+      return Math.hypot(vx, vy) >= SLOWEST && this.#contact(x, y, -vx, -vy, entry.row) <= AHEAD_S; // as the element sees the pointer come
     });
   }
 }
 
-/** Reports elements that come near the viewport, from the first scroll on: what is near it when the page is opened is not meant. */
+/** Reports elements that come near the viewport, from the first scroll on: what is in view before has not come. */
 export class NearView {
   #waiting = new Set();
   #observer = null;
+  #seen = new WeakSet();
 
-  /** @param {(element: Element) => void} onNear @param {AbortSignal} signal */
-  constructor(onNear, signal) {
-    window.addEventListener("scroll", () => this.#begin(onNear, signal), {
+  /** @param {(element: Element) => void} onNear @param {Set<Element>} inView @param {AbortSignal} signal */
+  constructor(onNear, inView, signal) {
+    window.addEventListener("scroll", () => this.#begin(onNear, inView, signal), {
       signal,
       capture: true,
       passive: true,
@@ -50,19 +55,26 @@ export class NearView {
 
   /** @param {Element} element */
   observe(element) {
-    if (this.#observer) this.#observer.observe(element);
-    else this.#waiting.add(element);
+    if (!this.#observer) return void this.#waiting.add(element);
+    const { top, bottom } = element.getBoundingClientRect();
+    if (bottom > 0 && top < innerHeight) this.#seen.add(element);
+    this.#observer.observe(element);
   }
 
-  #begin(onNear, signal) {
+  #begin(onNear, inView, signal) {
     this.#observer = new IntersectionObserver(
       (entries) => {
-        for (const { target, isIntersecting } of entries) if (isIntersecting) onNear(target);
+        for (const { target, isIntersecting } of entries)
+          if (!isIntersecting) this.#seen.delete(target);
+          else if (!this.#seen.has(target)) onNear(target);
       },
       { rootMargin: MARGIN },
     );
     signal.addEventListener("abort", () => this.#observer.disconnect());
-    for (const element of this.#waiting) this.#observer.observe(element);
+    for (const element of this.#waiting) {
+      if (inView.has(element)) this.#seen.add(element);
+      this.#observer.observe(element);
+    }
     this.#waiting.clear();
   }
 }

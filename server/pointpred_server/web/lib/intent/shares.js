@@ -6,7 +6,7 @@ import { decide, likeliest, USUAL } from "../laws/targets/decision.js";
 import * as heading from "../laws/targets/heading.js";
 import { FITTED_NONE, FITTED_PAGES } from "../laws/targets/posterior.js";
 import * as prefetch from "../laws/targets/prefetch.js";
-import { NOBODY } from "../laws/targets/rectangles.js";
+import { CENTRE_X, CENTRE_Y, HEIGHT, NOBODY, WIDTH } from "../laws/targets/rectangles.js";
 import { REMAINING_S, UNPREDICTED } from "../prediction/row.js";
 
 const odds = (p) => p / (1 - p);
@@ -15,7 +15,16 @@ const MOST_ELSEWHERE = 0.7; // and that this share is for something else where h
 const [, LEAST_LEAD_S, LEAST_WAY_PX] = USUAL;
 const LEARNS = 1;
 const SETTINGS = Float64Array.from(prefetch.FITTED);
+const ROUNDING = 1; // px that sums may err by, and far more
+const [ROW_X, ROW_Y] = [1, 2]; // places in the row of an event
 const NEVER = 1; // the highest threshold of a prefetch: fires at entry only
+
+/** The middle of what some events have at a place of their rows, and half of its width. */
+function spanOf(rows, place) {
+  const values = rows.map((row) => row[place]),
+    [low, high] = [Math.min(...values), Math.max(...values)];
+  return [0.5 * (low + high), 0.5 * (high - low)];
+}
 
 const numbers = new Map(); // of kinds of elements
 /** The number of a kind of element: the same for all of it. @param {string} kind */
@@ -26,18 +35,25 @@ function numberOf(kind) {
 
 /** The registered elements in view as targets: the cursor, how likely each is, what the person took before. */
 export class Shares {
-  /** In the order of the table. @type {import("./tracker.js").Entry[]} */ entries = [];
+  /** In the order of the table. @type {import("./entry.js").Entry[]} */ entries = [];
   /** The newest row of a prediction. */ answer = UNPREDICTED;
   /** Counts movements. */ movement = 0;
   #memory = new Float64Array(heading.LENGTH);
   #cursor = this.#memory.subarray(heading.CURSOR, heading.CURSOR + STATES);
   #targets;
-  #inside = new Float64Array(0);
   #standing = NOBODY;
   #movements = new Float64Array(prefetch.STATES);
-  #fired = new WeakMap();
   #elsewhere = heading.ELSEWHERE; // how often none of the elements is meant; not learned, since the policies are fitted with it
+  #prefetches = false; // whether any element asks for it
+  #highlights = false;
   #lessSure = 1; // highlights use higher prior odds that the movement is for no registered element: by this factor
+
+  // of each element:
+  #inside = new Float64Array(0); // whether the cursor is in its rectangle
+  #thresholds; // of prefetches
+  #visits; // how likely the cursor goes through it
+  #fired; // in this movement
+  #lit; // its share as highlights take it
 
   constructor() {
     this.replace([]);
@@ -57,15 +73,24 @@ export class Shares {
     return this.#targets[3];
   }
 
-  /** Takes other elements; what is known of those that stay is kept. @param {import("./tracker.js").Entry[]} entries */
+  /** Takes other elements; what is known of those that stay is kept. @param {import("./entry.js").Entry[]} entries */
   replace(entries) {
     const inside = new Map(
       this.entries.map((entry, i) => [entry, this.#inside[i] === ENTERED ? INSIDE : this.#inside[i]]),
     );
     const standing = this.entries[this.#standing],
       memory = this.#memory;
+    this.entries.forEach((entry, i) => {
+      entry.fired = this.#fired[i];
+    });
     this.entries = entries;
     this.#inside = Float64Array.from(entries, (entry) => inside.get(entry) ?? OUTSIDE);
+    this.#thresholds = Float64Array.from(entries, ({ prefetchFrom }) => Math.min(prefetchFrom, NEVER));
+    this.#prefetches = entries.some(({ prefetchFrom }) => prefetchFrom < Infinity);
+    this.#highlights = entries.some(({ highlightFrom }) => highlightFrom < Infinity);
+    this.#visits = new Float64Array(entries.length);
+    this.#fired = Float64Array.from(entries, ({ fired }) => fired);
+    this.#lit = new Float64Array(entries.length);
     this.#standing = standing ? entries.indexOf(standing) : NOBODY; // -1 where it is gone
     const seen = entries.filter(({ isHidden }) => !isHidden),
       total = seen.reduce((sum, { weight }) => sum + weight, 0);
@@ -88,15 +113,24 @@ export class Shares {
     return this.#shares[place] ?? 0;
   }
 
+  /** The places of the elements of at least this share. @param {number} least */
+  likely(least) {
+    const found = [];
+    for (let i = 0; i < this.entries.length; i += 1) if (this.#shares[i] >= least) found.push(i);
+    return found;
+  }
+
   /**
-   * Uses the events of a dispatch.
+   * Uses the events of a frame.
    * @param {number[][]} rows t, x, y, dx, dy, buttons @param {(row: number[], begins: boolean) => void} use is called with each before,
    *   and with whether a movement begins with it
-   * @returns {import("./tracker.js").Entry[]} the elements they have entered, in turn
+   * @returns {{entry: import("./entry.js").Entry, x: number, y: number}[]} the elements whose rectangles they have entered, in turn, and where
    */
   follow(rows, use) {
     const cursor = this.#cursor,
-      inside = this.#inside,
+      near = this.#near(rows),
+      table = near.map((i) => this.#table[i]),
+      inside = Float64Array.from(near, (i) => this.#inside[i]),
       entered = [];
     for (const row of rows) {
       const [t, x, y, , , buttons] = row,
@@ -108,10 +142,31 @@ export class Shares {
       heading.follow(this.#memory, row, this.#targets);
       this.movement += Number(begun);
       if (released) this.#standing = NOBODY;
-      if (enter(this.#table, inside, x, y, released) > 0)
-        entered.push(...this.entries.filter((_, i) => inside[i] === ENTERED));
+      if (enter(table, inside, x, y, released) > 0)
+        near.forEach((i, place) => {
+          if (inside[place] === ENTERED) entered.push({ entry: this.entries[i], x, y });
+        });
     }
+    near.forEach((i, place) => {
+      this.#inside[i] = inside[place];
+    });
     return entered;
+  }
+
+  /** The places of the elements that some events may enter or leave: the others need not be looked at. */
+  #near(rows) {
+    const [x, across] = spanOf(rows, ROW_X),
+      [y, down] = spanOf(rows, ROW_Y);
+    const table = this.#table,
+      inside = this.#inside,
+      near = [];
+    for (let i = 0; i < table.length; i += 1) {
+      const row = table[i],
+        far = Math.abs(row[CENTRE_X] - x) - 0.5 * row[WIDTH] - across,
+        below = Math.abs(row[CENTRE_Y] - y) - 0.5 * row[HEIGHT] - down;
+      if ((far <= ROUNDING && below <= ROUNDING) || inside[i] !== OUTSIDE) near.push(i);
+    }
+    return near;
   }
 
   /** Computes the shares. @param {number[]|null} answer the row of the newest prediction, null for none */
@@ -121,30 +176,38 @@ export class Shares {
     heading.weigh(this.#memory, this.answer, this.#targets, FITTED_PAGES);
   }
 
-  /** The elements that a prefetch fires for now. @returns {import("./tracker.js").Entry[]} */
+  /** The elements that a prefetch is predicted for now, each with the probability that its threshold is compared with. */
   worthPrefetching() {
-    const { entries } = this;
-    const thresholds = Float64Array.from(entries, ({ prefetchFrom }) => Math.min(prefetchFrom, NEVER));
-    const fired = Float64Array.from(entries, (entry) => this.#fired.get(entry) ?? prefetch.ARMED);
+    if (!this.#prefetches) return [];
+    const { entries } = this,
+      fired = this.#fired;
     this.#movements.set(this.#cursor);
-    const count = prefetch.step(
-      this.#movements,
-      [this.#table, thresholds, new Float64Array(entries.length), fired],
-      this.#shares,
-      SETTINGS,
-    );
-    entries.forEach((entry, i) => this.#fired.set(entry, fired[i]));
-    return count === 0
-      ? []
-      : entries.filter((_, i) => fired[i] === prefetch.PREDICTED || fired[i] === prefetch.ENTERED);
+    const targets = [this.#table, this.#thresholds, this.#visits, fired];
+    if (prefetch.step(this.#movements, targets, this.#shares, SETTINGS) === 0) return [];
+    const expected = prefetch.expect(this.#cursor[X], this.#cursor[Y], this.#table, this.#visits, this.#shares);
+    const found = [];
+    for (let i = 0; i < entries.length; i += 1)
+      if (fired[i] === prefetch.PREDICTED)
+        found.push({ entry: entries[i], p: this.share(i), score: this.#scoreOf(i, expected) });
+    return found;
   }
 
-  /** The element to highlight because the movement heads for it, if there is one. @returns {import("./tracker.js").Entry|undefined} */
+  /** What a threshold is compared with, as a probability. */
+  #scoreOf(i, expected) {
+    const share = this.#shares[i],
+      row = this.#table[i];
+    const logOdds = prefetch.score(this.#movements, row, share, this.#visits[i], expected, SETTINGS);
+    return 1 / (1 + Math.exp(-logOdds));
+  }
+
+  /** The element to highlight because the movement heads for it, if there is one. @returns {import("./entry.js").Entry|undefined} */
   headedFor() {
+    if (!this.#highlights) return undefined;
     const { entries } = this,
       shares = this.#shares,
-      total = 1 + (this.#lessSure - 1) * shares.at(-1),
-      lit = shares.map((share) => share / total);
+      lit = this.#lit,
+      total = 1 + (this.#lessSure - 1) * shares[entries.length];
+    for (let i = 0; i < lit.length; i += 1) lit[i] = shares[i] / total;
     const best = likeliest(lit, entries.length),
       ask = entries[best]?.highlightFrom ?? 1,
       keep = KEEP * (entries[this.#standing]?.highlightFrom ?? ask);
@@ -157,7 +220,12 @@ export class Shares {
     return entries[this.#standing];
   }
 
-  /** The innermost element that the cursor is in, if there is one. @returns {import("./tracker.js").Entry|undefined} */
+  /** The probability that the threshold of the element to highlight is compared with. */
+  get litScore() {
+    return this.#lit[this.#standing] ?? 0;
+  }
+
+  /** The innermost element whose rectangle the cursor is in, if there is one. @returns {import("./entry.js").Entry|undefined} */
   enclosing() {
     return this.entries[innermost(this.#table, this.#inside)];
   }

@@ -4,82 +4,27 @@ import { Elements } from "../client/elements.js";
 import { closest, PageChoices } from "../client/page-choices.js";
 import { PointerStream } from "../client/pointer-stream.js";
 import { Proposals } from "../client/proposals.js";
-import { CENTRE_X, CENTRE_Y, FIELDS, HEIGHT, WIDTH } from "../laws/targets/rectangles.js";
+import { contact } from "../laws/targets/prefetch.js";
 import { claimed, REMAINING_S } from "../prediction/row.js";
-import { reached } from "./keyboard.js";
+import { Entry } from "./entry.js";
 import { ledger } from "./registration.js";
-import { NearView, ScrollAhead } from "./scroll.js";
 import { Shares } from "./shares.js";
 
 const A_FRAME = 8; // elements measured in a frame without a scroll, besides the likely ones
 const LIKELY = 0.02; // an element of this share is measured in each frame
 const REST_MS = 100; // a pointer without events for this long is at rest
+const LATE_MS = 300; // a highlight ends so long after the pointer should have been there, if it has stopped
 const MOST_PRESSES = 20; // of Tab
 const BUTTONS = 5; // the place in the row of an event
-const COVERED_MS = 250; // how long an answer of the hit test is used
+const RIGHT = 2; // the button that opens a menu
 
-let entries = 0; // so far
+/**
+ * Why something fires: `score` is what was compared with `threshold`, null where nothing was.
+ * @typedef {{reason: string, p: number, score: number|null, threshold: number|null, t: number, remaining_s: number|null}} Cause
+ */
 
-/** A registered element. */
-class Entry {
-  /** Its place as a row of the targets' table: centre and size px with the slop, logarithm of its weight. */ row =
-    new Float64Array(FIELDS);
-  /** Whether nothing of it can be seen. */ isHidden = true;
-  /** The same in none of the others. */ number = (entries += 1);
-  /** @type {Set<import("./registration.js").Registration>} */ registrations = new Set();
-  #slop = [0, 0, 0, 0];
-  #coveredAt = -Infinity;
-  #covered = false;
-
-  /** @param {Element} element */
-  constructor(element) {
-    this.element = element;
-  }
-
-  /** Takes the largest weight and slop of its registrations, and for each policy the lowest threshold. */
-  update() {
-    const options = [...this.registrations].map((one) => one.options);
-    const lowest = (policy) =>
-      Math.min(...[...this.registrations].filter((one) => one.follows(policy)).map((one) => one.options.threshold));
-    this.weight = Math.max(0, ...options.map(({ priority }) => priority));
-    [this.prefetchFrom, this.highlightFrom] = [lowest("prefetch"), lowest("highlight")];
-    this.#slop = ["top", "right", "bottom", "left"].map((side) =>
-      Math.max(0, ...options.map(({ hitSlop }) => hitSlop[side])),
-    );
-  }
-
-  /** What it is to the user: its name in HTML and its size, to the nearest power of two. */
-  get kind() {
-    const { row } = this;
-    return [this.element.localName, Math.round(Math.log2(row[WIDTH])), Math.round(Math.log2(row[HEIGHT]))].join();
-  }
-
-  /** Measures it. @param {DOMRectReadOnly} [box] if its rectangle is known already @returns {boolean} whether it was hidden before and is not now, or the reverse */
-  measure(box = this.element.getBoundingClientRect()) {
-    const { left, top, width, height } = box,
-      [up, right, down, back] = this.#slop,
-      { row, isHidden } = this;
-    const options = { visibilityProperty: true, opacityProperty: true, contentVisibilityAuto: true };
-    this.isHidden = !(width > 0 && height > 0 && this.weight > 0 && (this.element.checkVisibility?.(options) ?? true));
-    row[CENTRE_X] = this.isHidden ? NaN : left + 0.5 * (width + right - back); // not a number is inside nothing
-    row[CENTRE_Y] = top + 0.5 * (height + down - up);
-    row[WIDTH] = width + right + back;
-    row[HEIGHT] = height + up + down;
-    return isHidden !== this.isHidden;
-  }
-
-  /** Whether something else, such as a dialog, lies over its middle. */
-  get isCovered() {
-    if (performance.now() - this.#coveredAt < COVERED_MS) return this.#covered;
-    const { left, top, right, bottom } = this.element.getBoundingClientRect();
-    const middle = (low, high, most) => 0.5 * (Math.max(low, 0) + Math.min(high, most));
-    const root = this.element.getRootNode();
-    const hit = root.elementFromPoint?.(middle(left, right, innerWidth), middle(top, bottom, innerHeight)) ?? null;
-    this.#coveredAt = performance.now();
-    this.#covered = hit !== null && !this.element.contains(hit) && !hit.contains(this.element);
-    return this.#covered;
-  }
-}
+/** What a page needs only once its user scrolls or presses Tab, or if it has a map of links. */
+const later = () => import("./later.js");
 
 /** Registered elements that share a predictor. */
 export class Tracker {
@@ -99,8 +44,10 @@ export class Tracker {
   #over;
   #ahead = null;
   #near = null;
+  #areas = new WeakMap(); // by their images
   #rows = [];
   #buttons = 0;
+  #ending = 0;
   #highlights = new Proposals((choice) => this.#highlight(choice));
 
   /**
@@ -130,7 +77,7 @@ export class Tracker {
       proposals: {
         has: (entry) => this.#highlights.has(entry),
         begin: (...begun) => this.#begin(...begun),
-        end: (...ended) => this.#highlights.end(...ended),
+        end: (...ended) => this.#end(...ended),
       },
     });
     const listen = (name, handle) => window.addEventListener(name, handle, { signal, capture: true, passive: true });
@@ -147,8 +94,9 @@ export class Tracker {
     this.#entries.set(element, entry);
     this.#count += 1;
     this.#changed = true;
-    this.#elements.observe(element);
-    if (registration.options.scroll === "view") this.#watchNear(element);
+    if (element.localName === "area" && entry.shown === element) this.#showArea(entry);
+    this.#elements.observe(entry.shown);
+    if (registration.options.scroll === "view") this.#watchNear(entry.shown);
     this.#pageChoices.update();
   }
 
@@ -162,7 +110,8 @@ export class Tracker {
     this.#count -= 1;
     if (entry.registrations.size === 0) {
       this.#entries.delete(element);
-      this.#elements.unobserve(element);
+      this.#areas.get(entry.shown)?.delete(entry);
+      if (this.#shownAs(entry.shown).length === 0) this.#elements.unobserve(entry.shown);
       this.#pageChoices.update();
     }
     this.#changed = true;
@@ -197,7 +146,22 @@ export class Tracker {
     };
   }
 
+  /** An area of an image has no box of its own: what is seen of it is the image. */
+  async #showArea(entry) {
+    const { boxOf, imageOf } = await later(),
+      { element } = entry,
+      image = imageOf(element);
+    if (image === null || !this.#entries.has(element)) return;
+    entry.shown = image;
+    entry.box = () => boxOf(element, image);
+    this.#areas.set(image, (this.#areas.get(image) ?? new Set()).add(entry));
+    this.#elements.unobserve(element);
+    this.#elements.observe(image);
+    if ([...entry.registrations].some(({ options }) => options.scroll === "view")) this.#watchNear(image);
+  }
+
   #close() {
+    clearTimeout(this.#ending);
     this.#stop.abort();
     this.#source.close();
     this.#onIdle();
@@ -215,72 +179,110 @@ export class Tracker {
 
   /** Every event is used, but shares are computed once. */
   #use() {
-    const rows = this.#rows.splice(0);
+    const rows = this.#rows;
     if (rows.length === 0) return;
+    this.#rows = [];
     let answer = null;
     const entered = this.#shares.follow(rows, (row, begins) => {
       answer = this.#source.add(row, begins);
     });
-    for (const entry of entered) this.#firePrefetch(entry, "entered", { isSeen: false });
+    for (const { entry, x, y } of entered)
+      this.#firePrefetch(entry, "entered", { isSeen: () => entry.isOver(x, y), isPassed: true });
     if (!this.#source.flush()) this.#choose(answer);
   }
 
   /** A prediction has come: computes the shares, and what they decide. @param {number[]|null} answer */
   #choose(answer) {
-    const shares = this.#shares;
+    const shares = this.#shares,
+      { x, y } = shares.cursor;
     shares.weigh(answer);
-    for (const entry of shares.worthPrefetching()) this.#firePrefetch(entry, "predicted", { isSeen: false });
+    for (const { entry, p, score } of shares.worthPrefetching())
+      this.#firePrefetch(entry, "predicted", { p, score, isSeen: () => !entry.isCovered });
     const predicted = shares.headedFor(),
-      over = shares.enclosing();
+      over = shares.enclosing(),
+      beside = over?.isBeside(x, y) ? over : undefined; // what the pointer itself is over the page tells
     this.#predicted = this.#turn("predicted", this.#predicted, predicted);
-    this.#over = this.#turn("entered", this.#over, over === predicted ? undefined : over);
+    this.#over = this.#turn("entered", this.#over, beside === predicted ? undefined : beside);
+    clearTimeout(this.#ending);
+    if (predicted) this.#ending = setTimeout(() => this.#expire(), 1000 * (this.#remaining ?? 0) + LATE_MS);
+  }
+
+  /** The pointer has stopped on the way: a movement that has not arrived by now is for something else. */
+  #expire() {
+    this.#shares.rest();
+    this.#predicted = this.#turn("predicted", this.#predicted);
+  }
+
+  /** The predicted time until the pointer arrives, s; null where none is predicted. */
+  get #remaining() {
+    return claimed(this.#shares.answer[REMAINING_S]);
   }
 
   /** Sets the element that a law highlights. @returns the same */
   #turn(reason, before, now) {
     if (before === now) return before;
-    const { t } = this.#shares.cursor;
-    const visible = now && now.highlightFrom < Infinity && !now.isCovered ? now : undefined;
-    if (visible)
-      this.#highlights.begin(`law ${reason}`, {
-        id: visible,
-        p: this.share(visible.element),
-        t,
-        reason,
-        action: "propose",
-      });
-    if (before) this.#highlights.end(`law ${reason}`, before, { t });
+    const { t } = this.#shares.cursor,
+      source = `law ${reason}`;
+    const isLit = now && now.highlightFrom < Infinity && !now.isUnusable && !now.isCovered;
+    if (isLit) {
+      const score = reason === "predicted" ? this.#shares.litScore : null;
+      this.#highlights.begin(source, { id: now, p: this.share(now.element), score, t, reason, action: "propose" });
+    }
+    if (before) this.#highlights.end(source, before, { t });
     return now;
   }
 
-  #highlight({ id: entry, action, reason, p, t }) {
+  #highlight({ id: entry, action, reason, p, score, t }) {
     for (const one of entry.registrations) {
       if (one.options.policy !== "highlight") continue;
       if (action === "retract") one.withdraw(t ?? performance.now() / 1000);
-      else if (one.follows("highlight") && one.mayFire(t, this.#visit))
-        one.fire(this.#cause(reason, p, t), this.#visit);
+      else if (one.follows("highlight"))
+        one.afterDwell(reason, t, (at) => {
+          if (one.mayFire(at, this.#visit))
+            one.fire(this.#cause(reason, { p, score, threshold: entry.highlightFrom, t: at }), this.#visit);
+        });
     }
   }
 
-  /** `isSeen` false: something else may lie over the element, which its rectangle does not tell. */
+  /**
+   * @param {Entry} entry @param {string} reason
+   * @param {{isSeen?: () => boolean, isPassed?: boolean}} more `isSeen`: whether nothing lies over the element, where its rectangle does not tell;
+   *   `isPassed`: the pointer may be gone again
+   */
   #firePrefetch(
     entry,
     reason,
-    { p = this.share(entry.element), t = this.#shares.cursor.t, press = 0, into = "", isSeen = true },
+    {
+      p = this.share(entry.element),
+      score = null,
+      t = this.#shares.cursor.t,
+      press = 0,
+      into = "",
+      isSeen = () => true,
+      isPassed = false,
+    },
   ) {
-    const visit = this.#visit + this.#shares.movement;
-    for (const one of entry.registrations)
-      if (
-        one.follows("prefetch") &&
-        one.mayFire(t, visit) &&
-        accepts(one.options, reason, { press, into }) &&
-        (isSeen || !entry.isCovered)
-      )
-        one.fire(this.#cause(reason, p, t), visit);
+    for (const one of entry.registrations) {
+      if (!one.follows("prefetch") || !accepts(one.options, reason, { press, into })) continue;
+      if (isPassed && one.options.dwell_s > 0) continue;
+      const visit = this.#visit + this.#shares.movement;
+      one.afterDwell(reason, t, (at) => {
+        if (one.mayFire(at, visit) && isReachable(entry, reason) && isSeen())
+          one.fire(this.#cause(reason, { p, score, threshold: entry.prefetchFrom, t: at }), visit);
+      });
+    }
   }
 
-  #cause(reason, p, t) {
-    return { reason, p, t, remaining_s: reason === "predicted" ? claimed(this.#shares.answer[REMAINING_S]) : null };
+  #cause(reason, { p, score = null, threshold, t }) {
+    const isPredicted = reason === "predicted";
+    return {
+      reason,
+      p,
+      score,
+      threshold: isPredicted ? threshold : null,
+      t,
+      remaining_s: isPredicted ? this.#remaining : null,
+    };
   }
 
   /** The page itself chooses an element: by focus, by touch, or because the pointer is over it. */
@@ -288,25 +290,36 @@ export class Tracker {
     const { id: entry, reason } = choice;
     if (reason !== "entered") this.#visit += 1;
     this.#firePrefetch(entry, reason, choice);
-    if ([...entry.registrations].some((one) => one.follows("highlight") && accepts(one.options, reason, choice)))
+    if (
+      isReachable(entry, reason) &&
+      [...entry.registrations].some((one) => one.follows("highlight") && accepts(one.options, reason, choice))
+    )
       this.#highlights.begin(source, choice);
+  }
+
+  #end(source, entry, fields) {
+    if (source === "entered")
+      for (const one of entry.registrations) if (one.options.policy === "prefetch") one.cancel();
+    this.#highlights.end(source, entry, fields);
   }
 
   /** The pointer is elsewhere. */
   #pause() {
-    this.#shares.rest();
-    [this.#predicted, this.#over] = [this.#turn("predicted", this.#predicted), this.#turn("entered", this.#over)];
+    this.#expire();
+    this.#over = this.#turn("entered", this.#over);
   }
 
   #setInView(seen) {
     this.#changed = true;
-    for (const { target, isIntersecting, boundingClientRect } of seen) {
-      const entry = this.#entries.get(target);
-      if (!isIntersecting || !entry) continue;
-      entry.measure(boundingClientRect);
-      if (navigator.maxTouchPoints > 0 && matchMedia("(hover: none)").matches)
+    const fires = navigator.maxTouchPoints > 0 && matchMedia("(hover: none)").matches;
+    for (const { target, isIntersecting } of seen)
+      for (const entry of fires && isIntersecting ? this.#shownAs(target) : [])
         this.#firePrefetch(entry, "viewport", { p: 1, t: performance.now() / 1000 });
-    }
+  }
+
+  /** The registered elements that are seen where one is: itself, and the areas of an image. @returns {Entry[]} */
+  #shownAs(element) {
+    return [this.#entries.get(element) ?? [], ...(this.#areas.get(element) ?? [])].flat();
   }
 
   /** Once a frame, while something happens. */
@@ -327,15 +340,20 @@ export class Tracker {
       count = entries.length;
     this.#next = (first + A_FRAME) % count;
     let changed = false;
-    for (let i = 0; i < count; i += 1)
-      if (scrolled || (i - first + count) % count < A_FRAME || this.#shares.share(i) >= LIKELY)
-        changed = entries[i].measure() || changed;
+    const measure = (i) => {
+      changed = entries[i].measure() || changed;
+    };
+    if (scrolled) entries.forEach((_, i) => measure(i));
+    else {
+      for (let k = 0; k < Math.min(A_FRAME, count); k += 1) measure((first + k) % count);
+      this.#shares.likely(LIKELY).forEach(measure);
+    }
     if (changed) this.#shares.replace(entries);
   }
 
   #replace() {
     this.#changed = false;
-    const entries = [...this.#elements.inView].map((element) => this.#entries.get(element)).filter(Boolean);
+    const entries = [...this.#elements.inView].flatMap((element) => this.#shownAs(element));
     for (const entry of entries) entry.measure();
     this.#shares.replace(entries);
     for (const [reason, entry] of [
@@ -347,13 +365,15 @@ export class Tracker {
 
   /** A click, or a key that acts as one. */
   #activate(event) {
-    for (const one of event.composedPath()) if (this.#entries.has(one)) ledger.activate(one, event.timeStamp / 1000);
+    if (event.button === RIGHT) return;
+    for (const element of event.composedPath())
+      for (const one of this.#entries.get(element)?.registrations ?? []) ledger.activate(one, event.timeStamp / 1000);
   }
 
   /** The focus has moved, or will: what the next presses reach is loaded ahead. */
   async #tab({ shiftKey, timeStamp }) {
     this.#visit += 1;
-    await new Promise((moved) => setTimeout(moved));
+    const [{ reached }] = await Promise.all([later(), new Promise((moved) => setTimeout(moved))]);
     reached(document.activeElement, shiftKey, MOST_PRESSES).forEach((element, press) => {
       const found = closest(element, (one) => this.#entries.get(one));
       if (found) this.#firePrefetch(found.id, "tab", { p: 1, t: timeStamp / 1000, press: press + 1 });
@@ -361,23 +381,30 @@ export class Tracker {
   }
 
   /** Fires what a scroll is about to bring into view. */
-  #watchNear(element) {
-    this.#near ??= new NearView((one) => this.#comeNear(one), this.#stop.signal);
+  async #watchNear(element) {
+    const { NearView } = await later();
+    this.#near ??= new NearView((one) => this.#comeNear(one), this.#elements.inView, this.#stop.signal);
     this.#near.observe(element);
   }
 
   #comeNear(element) {
-    const entry = this.#entries.get(element);
-    if (entry) this.#firePrefetch(entry, "scroll", { t: performance.now() / 1000, into: "view" });
+    for (const entry of this.#shownAs(element))
+      this.#firePrefetch(entry, "scroll", { t: performance.now() / 1000, into: "view" });
   }
 
   /** A scroll that goes on while the pointer rests. */
-  #scroll(entries) {
-    const t = performance.now() / 1000;
-    this.#ahead ??= new ScrollAhead();
+  async #scroll(entries) {
+    const { ScrollAhead } = await later(),
+      t = performance.now() / 1000;
+    this.#ahead ??= new ScrollAhead(contact);
     for (const entry of this.#ahead.comingUnder(entries, this.#shares.cursor, t))
-      this.#firePrefetch(entry, "scroll", { t, isSeen: false, into: "pointer" });
+      this.#firePrefetch(entry, "scroll", { t, isSeen: () => !entry.isCovered, into: "pointer" });
   }
+}
+
+/** Whether an element can be used as a reason says: the keyboard reaches also what takes no pointer events. */
+function isReachable(entry, reason) {
+  return reason === "focus" || reason === "tab" || !entry.isUnusable;
 }
 
 /** Whether a registration fires for a reason. */

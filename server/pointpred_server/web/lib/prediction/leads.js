@@ -12,6 +12,12 @@ export function median(values) {
   return sorted.length % 2 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
+/** The least, the median and the largest of leads, s, and how many; null where there is none. @param {number[]} leads */
+export function leadsOf(leads) {
+  const of = (measure) => (leads.length ? measure(...leads) : null);
+  return { count: leads.length, least: of(Math.min), median: claimed(median(leads)), most: of(Math.max) };
+}
+
 /** The newest leads, s. */
 export class Leads {
   #values = [];
@@ -23,12 +29,5 @@ export class Leads {
 
   get median() {
     return claimed(median(this.#values));
-  }
-
-  /** The least, the median and the largest, and how many; null where there is none. */
-  get summary() {
-    const { length } = this.#values,
-      of = (measure) => (length ? measure(...this.#values) : null);
-    return { count: length, least: of(Math.min), median: this.median, most: of(Math.max) };
   }
 }

@@ -4,7 +4,7 @@ import { needDocument } from "../../client/document.js";
 import { regionOf } from "../../client/regions.js";
 import { regionIn } from "../../prediction/row.js";
 import { trackers } from "../register.js";
-import { ledger } from "../registration.js";
+import { ledger, onLedger } from "../reports.js";
 
 const MOST_ENTRIES = 6; // of the list in the corner
 const LEVELS = [0.5, 0.9]; // of the regions
@@ -36,13 +36,13 @@ function begin() {
   root.append(picture.canvas, ...picture.samples, panel.element);
   host.setAttribute("aria-hidden", "true");
   document.documentElement.append(host);
-  const stop = ledger.subscribe((entry) => {
+  const stop = onLedger((entry) => {
     picture.note(entry);
     panel.note(entry);
   });
   let frame = requestAnimationFrame(function draw() {
     picture.draw([...trackers.values()].map(({ view }) => view));
-    panel.update(ledger.summary());
+    panel.update(ledger());
     frame = requestAnimationFrame(draw);
   });
   return () => {
@@ -63,9 +63,13 @@ class Picture {
   #notes = new Map();
 
   /** Writes a reason beside an element for a while. @param {import("../../index.d.ts").LedgerEntry} entry */
-  note({ kind, element, reason }) {
-    if (kind === "fired" || kind === "withheld")
-      this.#notes.set(element, { text: kind === "fired" ? reason : "withheld", until: performance.now() + NOTED_MS });
+  note({ kind, element, reason, score, threshold }) {
+    if (kind !== "fired" && kind !== "withheld") return;
+    const compared = score === null ? "" : ` ${score.toFixed(2)} ≥ ${threshold}`;
+    this.#notes.set(element, {
+      text: kind === "fired" ? reason + compared : kind,
+      until: performance.now() + NOTED_MS,
+    });
   }
 
   /** @param {object[]} views of the trackers */
@@ -171,12 +175,12 @@ class Panel {
   }
 
   /** Adds an entry above the others. @param {import("../../index.d.ts").LedgerEntry} entry */
-  note({ kind, name, element, reason, p, lead_s }) {
+  note({ kind, name, element, reason, p, score, lead_s }) {
     const item = document.createElement("li"),
       shown = [
         kind === "fired" ? reason : kind,
         name || element.localName,
-        lead_s === null ? `${Math.round(100 * p)} %` : `${lead_s.toFixed(2)} s`,
+        lead_s === null ? `${Math.round(100 * (score ?? p))} %` : `${lead_s.toFixed(2)} s`,
       ];
     item.dataset.kind = kind;
     item.append(...shown.map((text) => Object.assign(document.createElement("span"), { textContent: text })));

@@ -17,6 +17,7 @@ export const SHORTEST_S = 0.005;
 export const LONGEST_S = 5;
 export const SMALLEST = 1e-06;
 export const LEAST_VISITS = 0.05;
+export const ROUNDING = 1e-06;
 export const THRESHOLD = 0.5;
 export const FITTED = [1.645, 0.86, 0.181, 0.077, 0.718, 3.055];
 export function contact(x, y, dx, dy, row) {
@@ -46,19 +47,29 @@ export function visit(x, y, table, shares, out) {
   const ends = new Float64Array(PATHS);
   $decision.rank(shares, table.length, ends);
   for (let i = 0, end_1 = table.length; i < end_1; i++) {
-    let total = shares[i];
-    for (let place = 0; place < PATHS; place++) {
-      const end = Math.trunc(ends[place]);
-      if (i === end || end === $rectangles.NOBODY || shares[end] < NEGLIGIBLE) {
+    out[i] = shares[i];
+  }
+  for (let place = 0; place < PATHS; place++) {
+    const end = Math.trunc(ends[place]);
+    if (end === $rectangles.NOBODY || shares[end] < NEGLIGIBLE) {
+      continue;
+    }
+    const to_x = table[end][$rectangles.CENTRE_X] - x;
+    const to_y = table[end][$rectangles.CENTRE_Y] - y;
+    const middle_x = x + 0.5 * to_x;
+    const middle_y = y + 0.5 * to_y;
+    const across = 0.5 * Math.abs(to_x) + ROUNDING;
+    const down = 0.5 * Math.abs(to_y) + ROUNDING;
+    for (let i = 0, end_2 = table.length; i < end_2; i++) {
+      const far_x = Math.abs(table[i][$rectangles.CENTRE_X] - middle_x);
+      const far_y = Math.abs(table[i][$rectangles.CENTRE_Y] - middle_y);
+      if (far_x > across + 0.5 * table[i][$rectangles.WIDTH] || far_y > down + 0.5 * table[i][$rectangles.HEIGHT]) {
         continue;
       }
-      const to_x = table[end][$rectangles.CENTRE_X] - x;
-      const to_y = table[end][$rectangles.CENTRE_Y] - y;
-      if (contact(x, y, to_x, to_y, table[i]) <= 1) {
-        total += shares[end];
+      if (i !== end && contact(x, y, to_x, to_y, table[i]) <= 1) {
+        out[i] += shares[end];
       }
     }
-    out[i] = total;
   }
 }
 export function begin(s, table, fired, s_at = 0) {
@@ -87,6 +98,26 @@ export function terms(s, row, share, visited, expected, s_at = 0) {
   const end = Math.log(larger(share, SMALLEST) / larger(visited, SMALLEST));
   return [1, end, near, -near * near, Math.log(larger(expected[0], LEAST_VISITS)), -expected[1]];
 }
+export function score(s, row, share, visited, expected, settings, s_at = 0, settings_at = 0) {
+  const values_1 = terms(s, row, share, visited, expected, s_at);
+  const t0 = values_1[0];
+  const t1 = values_1[1];
+  const t2 = values_1[2];
+  const t3 = values_1[3];
+  const t4 = values_1[4];
+  const t5 = values_1[5];
+  let total = log_odds(visited) + settings[settings_at] * t0 + settings[settings_at + 1] * t1 + settings[settings_at + 2] * t2;
+  total += settings[settings_at + 3] * t3 + settings[settings_at + 4] * t4 + settings[settings_at + 5] * t5;
+  return total;
+}
+export function least_visit(lowest, expected, settings, settings_at = 0) {
+  const soon = Math.log(REFERENCE_S / SHORTEST_S);
+  const late = Math.log(LONGEST_S / REFERENCE_S);
+  let most = larger(settings[settings_at + 2] * soon, -settings[settings_at + 2] * late) + larger(-settings[settings_at + 3], 0) * soon * soon;
+  most += larger(settings[settings_at + 1] * Math.log(SMALLEST), 0) + settings[settings_at] + ROUNDING;
+  most += settings[settings_at + 4] * Math.log(larger(expected[0], LEAST_VISITS)) - settings[settings_at + 5] * expected[1];
+  return 1 / (1 + Math.exp(most - log_odds(lowest)));
+}
 export function expect(x, y, table, visits, shares) {
   let passed = 0;
   let sure = 0;
@@ -109,8 +140,13 @@ export function step(s, targets, shares, settings, s_at = 0, settings_at = 0) {
   visit(x, y, table, shares, visits);
   const expected = expect(x, y, table, visits, shares);
   const moves = hypot(x - s[s_at + 6], y - s[s_at + 7]) >= LEAST_WAY_PX;
-  let count = 0;
+  let lowest = 1;
   for (let i = 0, end_1 = table.length; i < end_1; i++) {
+    lowest = smaller(lowest, thresholds[i]);
+  }
+  const least = least_visit(lowest, expected, settings, settings_at);
+  let count = 0;
+  for (let i = 0, end_2 = table.length; i < end_2; i++) {
     if (table[i][$rectangles.LOG_WEIGHT] === -Infinity) {
       continue;
     }
@@ -127,16 +163,11 @@ export function step(s, targets, shares, settings, s_at = 0, settings_at = 0) {
     if (fired[i] !== ARMED || !moves) {
       continue;
     }
-    const values_2 = terms(s, table[i], shares[i], visits[i], expected, s_at);
-    const t0 = values_2[0];
-    const t1 = values_2[1];
-    const t2 = values_2[2];
-    const t3 = values_2[3];
-    const t4 = values_2[4];
-    const t5 = values_2[5];
-    let score = log_odds(visits[i]) + settings[settings_at] * t0 + settings[settings_at + 1] * t1 + settings[settings_at + 2] * t2;
-    score += settings[settings_at + 3] * t3 + settings[settings_at + 4] * t4 + settings[settings_at + 5] * t5;
-    if (score >= log_odds(thresholds[i])) {
+    if (least > SMALLEST && visits[i] < least) {
+      continue;
+    }
+    const reached = score(s, table[i], shares[i], visits[i], expected, settings, s_at, settings_at);
+    if (reached >= log_odds(thresholds[i])) {
       fired[i] = PREDICTED;
       count = count + 1;
     }

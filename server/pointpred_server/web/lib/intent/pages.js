@@ -1,0 +1,89 @@
+// Asks the browser for pages ahead: by Speculation Rules where they are allowed, else by <link rel=prefetch>.
+
+const FRESH_MS = 300000; // the browser forgets a page so long after it was loaded
+const MOST = { prefetch: 40, prerender: 8 }; // rules at a time: Chromium takes no more than 50 and 10 pages
+const AT_ONCE = 2; // links being loaded; rules are queued by the browser itself
+const POLICY = "pointpred"; // of Trusted Types
+
+/** @typedef {{address: string, askedAt: number}} Page */
+
+/** @type {Map<string, Page>} */
+const pages = new Map();
+const rules = { prefetch: [], prerender: [] };
+const waiting = []; // addresses
+let loading = 0;
+let policed; // whether the page has a Content Security Policy; undefined while nobody has asked
+let scripts; // what makes the texts of scripts under Trusted Types
+
+/** The page at an address, always the same object. @param {string} address @returns {Page} */
+export function pageOf(address) {
+  if (!pages.has(address)) pages.set(address, { address, askedAt: -Infinity });
+  return pages.get(address);
+}
+
+/** Whether the browser was asked for a page lately, so that it still has it. @param {Page} page */
+export const isAsked = ({ askedAt }) => performance.now() - askedAt < FRESH_MS;
+
+/**
+ * Asks the browser to load a page.
+ * @param {Page} page @param {"prefetch"|"prerender"} action @param {string|undefined} nonce of the page's policy
+ */
+export function ask(page, action, nonce) {
+  if (takesRules(nonce)) addRule(page, action, nonce);
+  else if (document.createElement("link").relList.supports("prefetch")) {
+    waiting.push(page.address);
+    loadNext();
+  }
+  page.askedAt = performance.now();
+}
+
+/** Whether rules may be added; to try would be reported as a violation where they are refused. */
+function takesRules(nonce) {
+  if (!globalThis.HTMLScriptElement?.supports?.("speculationrules")) return false;
+  if (nonce === undefined) return !hasPolicy();
+  try {
+    scripts ??= globalThis.trustedTypes?.createPolicy(POLICY, { createScript: (text) => text });
+    return true;
+  } catch {
+    return false; // the policy's name is not allowed
+  }
+}
+
+/** A browser hides a nonce from the page's own code where a policy came with the page's headers. */
+function hasPolicy() {
+  if (policed !== undefined) return policed;
+  const probe = document.createElement("link");
+  probe.setAttribute("nonce", POLICY);
+  document.head.append(probe);
+  const isHidden = probe.getAttribute("nonce") !== POLICY;
+  probe.remove();
+  policed = isHidden || document.querySelector('meta[http-equiv="Content-Security-Policy" i]') !== null;
+  return policed;
+}
+
+/** A rule that is spent makes room: pages of rules that stay count towards the browser's limit. */
+function addRule(page, action, nonce) {
+  const old = rules[action];
+  while (old.length >= MOST[action] || (old.length && !isAsked(old[0].page))) old.shift().script.remove();
+  const script = document.createElement("script"),
+    list = [{ source: "list", urls: [page.address], eagerness: "immediate" }],
+    text = JSON.stringify({ [action]: list });
+  script.type = "speculationrules";
+  if (nonce) script.nonce = nonce;
+  script.text = scripts ? scripts.createScript(text) : text;
+  document.head.append(script);
+  old.push({ page, script });
+}
+
+function loadNext() {
+  if (loading >= AT_ONCE || waiting.length === 0) return;
+  loading += 1;
+  const link = document.createElement("link");
+  link.rel = "prefetch";
+  link.href = waiting.shift();
+  link.onload = link.onerror = () => {
+    loading -= 1;
+    loadNext();
+  };
+  document.head.append(link);
+}
