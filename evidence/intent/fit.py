@@ -96,7 +96,7 @@ GROUPS = {
     "humanmovemouse": 2,
 }
 """Sets that are left out together; none has people or blocks of another."""
-START, SPREAD = (1.5, 0.85, 0.35, 0.15, 0.7, 2.6), (0.3, 0.2, 0.15, 0.1, 0.2, 0.5)
+START, SPREAD = (1.5, 0.7, 0.3, 0.1, 0.7, 2.5), (0.4, 0.2, 0.15, 0.1, 0.2, 0.5)
 """Where the search begins, and how far each setting is varied at first."""
 GENERATIONS, CHILDREN, PARENTS = 45, 24, 6
 WORST = 120.0
@@ -206,8 +206,8 @@ def first_firings(moments: Chances, values: FloatArray, targets: int) -> FloatAr
     return fired_at
 
 
-def settings(chosen: Sequence[Movement], shares: Sequence[FloatArray]) -> list[float]:
-    """The settings of largest margin."""
+def settings(chosen: Sequence[Movement], shares: Sequence[FloatArray], last: Sequence[float]) -> list[float]:
+    """The settings of largest margin that are found from START and from those of the last fit."""
     rule = by_layout(chosen, [by_rule(one, FRAME_S) for one in chosen])
     moments, ends = chances(chosen, shares), np.cumsum([len(one.table) for one in chosen])
 
@@ -215,7 +215,8 @@ def settings(chosen: Sequence[Movement], shares: Sequence[FloatArray]) -> list[f
         fired = np.split(first_firings(moments, values, ends[-1]), ends[:-1])
         return margin(by_layout(chosen, fired), rule)
 
-    best: list[float] = searched(worth, np.array(START), np.array(SPREAD)).tolist()
+    found = [searched(worth, np.array(start), np.array(SPREAD)) for start in (START, last)]
+    best: list[float] = max(found, key=worth).tolist()
     return best
 
 
@@ -247,13 +248,14 @@ def fit(everything: Sequence[Movement], whole: FloatArray, apart: Sequence[Float
     """The settings for this evidence, fitted to shares that do not know the group."""
     shares = [shares_of(one, CLAIMING, apart[GROUPS[one.set]], FRAME_S) for one in everything]
 
-    def without(group: int | None) -> list[float]:
+    def without(group: int | None, last: Fitted) -> list[float]:
         chosen = [i for i, one in enumerate(everything) if GROUPS[one.set] != group]
-        return settings([everything[i] for i in chosen], [shares[i] for i in chosen])
+        return settings([everything[i] for i in chosen], [shares[i] for i in chosen], last.settings)
 
+    before = fits()
     return Fits(
-        Fitted(whole.tolist(), without(None)),
-        [Fitted(own.tolist(), without(k)) for k, own in enumerate(apart)],
+        Fitted(whole.tolist(), without(None, before.whole)),
+        [Fitted(own.tolist(), without(k, before.without[k])) for k, own in enumerate(apart)],
     )
 
 

@@ -62,7 +62,7 @@ class Settings(Layout):
     sure: float
 
 
-FITTED = (1.645, 0.86, 0.181, 0.077, 0.718, 3.055)
+FITTED = (1.445, 0.84, 0.375, 0.148, 0.666, 2.595)
 """Settings by ``python -m evidence intent fit``, for shares by ``posterior.FITTED_PAGES``."""
 
 
