@@ -1,6 +1,6 @@
 // A directive for Vue: <a v-intent="callback">, or v-intent="{ callback, policy: 'highlight' }".
 
-import { onIntent } from "./register.js";
+import { onIntent } from "../intent/index.js";
 
 const registered = new WeakMap(); // by element: the newest callback, its options as text, what stops it
 

@@ -1,7 +1,7 @@
 // A hook and a component for React.
 
 import { createElement, useEffect, useRef, useState } from "react";
-import { onIntent } from "./register.js";
+import { onIntent } from "../intent/index.js";
 
 /**
  * Calls `callback` when the user is heading for the element that gets the returned ref.
