@@ -20,11 +20,12 @@ export function human(browser, { seed = 1, skill = 0.5, at = { x: 0, y: 0 } } = 
 
   async function reach(target, clicks) {
     const box = isPlace(target) ? { width: 0, height: 0, ...target } : await driver.measure(target);
-    if (!box) throw new Error(`${target} is not on the page, or not shown`);
+    const name = typeof target === "string" ? target : "the target";
+    if (!box) throw new Error(`${name} is not on the page, or not shown`);
     const { width, height } = await driver.viewport();
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
     if (!(x >= 0 && y >= 0 && x < width && y < height))
-      throw new Error(`the middle of ${target} lies outside of the viewport, at ${x}, ${y}: scroll there first`);
+      throw new Error(`the middle of ${name} lies outside of the viewport, at ${x}, ${y}: scroll there first`);
     const within = (value, most) => Math.min(Math.max(value, 0), most - 1);
     const reports = hand.reach(box, clicks);
     await driver.play(reports.map((one) => ({ ...one, x: within(one.x, width), y: within(one.y, height) })));
