@@ -8,22 +8,33 @@ from pathlib import Path
 
 import pytest
 
-from tests.intent.conftest import LIB
-
-INSTALL = ("npm", "install", "--silent", "--no-audit", "--no-fund")
+LIB = Path(__file__).parents[2] / "server" / "pointpred_server" / "web" / "lib"
+TRIED = (
+    *("react@19.2.0", "react-dom@19.2.0", "vue@3.5.22", "svelte@5", "esbuild@0.25.12"),
+    *("typescript@5.9", "vue-tsc@3", "@types/react@19", "@types/node@20"),
+    *("playwright-core@1.56", "puppeteer-core@24"),
+)
+"""What the quick tests of frameworks, types and drivers need. Puppeteer 25 needs a newer Node than 20."""
+OLDER = ("react@18.3.1", "react-dom@18.3.1", "svelte@4.2.20", "@types/react@18")
+"""The oldest versions that the package is made for, which lie in a folder of their own, ``older``."""
+INSTALL = ("npm", "install", "--loglevel=error", "--no-audit", "--no-fund")
 
 
 def install(folder: Path, *packages: str) -> None:
-    """Install packages and this one into a folder; skips the test where that is not possible."""
+    """Install packages and this one into a folder; skips the test where npm cannot fetch them."""
+    fetch(folder, *packages)
+    packed = run(["npm", "pack", "--silent", str(LIB)], folder).stdout.split()[-1]
+    run([*INSTALL, f"./{packed}"], folder)
+
+
+def fetch(folder: Path, *packages: str) -> None:
+    """Install packages into a folder; skips the test where npm cannot fetch them."""
     if shutil.which("npm") is None:
         pytest.skip("no npm on this machine")
-    (folder / "package.json").write_text('{ "private": true, "type": "module" }')
-    packed = run(["npm", "pack", "--silent", str(LIB)], folder).stdout.split()[-1]
-    command = [*INSTALL, *packages]
-    fetched = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=500)
+    write(folder, {"package.json": '{ "private": true, "type": "module" }'})
+    fetched = subprocess.run([*INSTALL, *packages], cwd=folder, capture_output=True, text=True, timeout=500)
     if fetched.returncode:
-        pytest.skip(f"npm cannot fetch {', '.join(packages)}: {fetched.stderr.strip()[-200:]}")
-    run([*INSTALL, f"./{packed}"], folder)
+        pytest.skip(f"npm cannot fetch {', '.join(packages)}: {fetched.stderr.strip()[-500:]}")
 
 
 def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
