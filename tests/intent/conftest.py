@@ -57,5 +57,12 @@ def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the frameworks and drivers of npm, and this package as users install it."""
     folder = tmp_path_factory.mktemp("packages")
     npm.install(folder, *npm.TRIED)
-    npm.fetch(folder / "older", *npm.OLDER)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def older_packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same with the oldest versions that the package is made for."""
+    folder = tmp_path_factory.mktemp("older")
+    npm.install(folder, *npm.OLDER)
     return folder

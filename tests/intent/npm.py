@@ -15,26 +15,28 @@ TRIED = (
     *("playwright-core@1.56", "puppeteer-core@24"),
 )
 """What the quick tests of frameworks, types and drivers need. Puppeteer 25 needs a newer Node than 20."""
-OLDER = ("react@18.3.1", "react-dom@18.3.1", "svelte@4.2.20", "@types/react@18")
-"""The oldest versions that the package is made for, which lie in a folder of their own, ``older``."""
+OLDER = (
+    "react@18.3.1",
+    "react-dom@18.3.1",
+    "svelte@4.2.20",
+    "@types/react@18",
+    "typescript@5.9",
+    "esbuild@0.25.12",
+)
+"""The oldest versions that the package is made for."""
 INSTALL = ("npm", "install", "--loglevel=error", "--no-audit", "--no-fund")
 
 
 def install(folder: Path, *packages: str) -> None:
     """Install packages and this one into a folder; skips the test where npm cannot fetch them."""
-    fetch(folder, *packages)
-    packed = run(["npm", "pack", "--silent", str(LIB)], folder).stdout.split()[-1]
-    run([*INSTALL, f"./{packed}"], folder)
-
-
-def fetch(folder: Path, *packages: str) -> None:
-    """Install packages into a folder; skips the test where npm cannot fetch them."""
     if shutil.which("npm") is None:
         pytest.skip("no npm on this machine")
     write(folder, {"package.json": '{ "private": true, "type": "module" }'})
     fetched = subprocess.run([*INSTALL, *packages], cwd=folder, capture_output=True, text=True, timeout=500)
     if fetched.returncode:
         pytest.skip(f"npm cannot fetch {', '.join(packages)}: {fetched.stderr.strip()[-500:]}")
+    packed = run(["npm", "pack", "--silent", str(LIB)], folder).stdout.split()[-1]
+    run([*INSTALL, f"./{packed}"], folder)
 
 
 def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:

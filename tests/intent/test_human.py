@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler
 from pathlib import Path
@@ -54,8 +53,15 @@ def driven(request: pytest.FixtureRequest, packages: Path, address: str) -> Any:
 def test_it_hovers_on_the_way_and_clicks_where_it_was_told(driven: Any) -> None:
     over = [one[4] for one in driven["seen"] if one[0] == "pointerover"]
     assert over.index("middle") < over.index("cart"), "the other button lies on the way"
-    clicked = [(kind, target) for kind, _, _, _, target, _ in driven["seen"] if kind in ("click", "pointerdown")]
-    assert clicked == [("pointerdown", "cart"), ("click", "cart"), ("pointerdown", "middle"), ("click", "middle")]
+    clicked = [
+        (kind, target) for kind, _, _, _, target, _ in driven["seen"] if kind in ("click", "pointerdown")
+    ]
+    assert clicked == [
+        ("pointerdown", "cart"),
+        ("click", "cart"),
+        ("pointerdown", "middle"),
+        ("click", "middle"),
+    ]
     assert all(trusted for *_, trusted in driven["seen"])
     x, y = driven["rested"]["x"], driven["rested"]["y"]
     assert 600 <= x <= 680
@@ -128,7 +134,7 @@ console.log(JSON.stringify(told));
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="no node on this machine")
 def test_a_webdriver_is_given_the_whole_movement_as_actions(tmp_path: Path) -> None:
-    """Without a driver for a browser: what is sent over its protocol. ``test_chromedriver`` has a real one."""
+    """What is sent over the protocol. ``test_chromedriver`` has a real browser."""
     for room in ("human", "laws"):
         (tmp_path / room).symlink_to(npm.LIB / room)
     npm.write(tmp_path, {"use.mjs": WEBDRIVER, "package.json": '{ "type": "module" }'})
@@ -165,7 +171,10 @@ const port = await new Promise((found) => driver.stdout.on("data", (text) => {
   if (started) found(started[1]);
 }));
 const base = `http://127.0.0.1:${port}/session`;
-const ask = async (url, body) => (await (await fetch(url, { method: "POST", body: JSON.stringify(body) })).json()).value;
+const ask = async (url, body) => {
+  const answer = await fetch(url, { method: "POST", body: JSON.stringify(body) });
+  return (await answer.json()).value;
+};
 const options = { binary, args: ["--headless", "--no-sandbox", "--disable-gpu"] };
 const { sessionId } = await ask(base, { capabilities: { alwaysMatch: { "goog:chromeOptions": options } } });
 await ask(`${base}/${sessionId}/url`, { url: address });

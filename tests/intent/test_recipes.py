@@ -1,4 +1,4 @@
-"""The guide's recipes for routers: built by the framework itself, tried with a mouse in a browser: `make frameworks`."""
+"""The guide's recipes, built by their frameworks and tried with a mouse in a browser: `make frameworks`."""
 
 from __future__ import annotations
 
@@ -42,7 +42,8 @@ RECIPES = {
     "Next": Recipe(
         ("next@16", "react@19.2.0", "react-dom@19.2.0"),
         {
-            "next.config.mjs": 'export default { output: "export", turbopack: { root: import.meta.dirname } };',
+            "next.config.mjs": "const turbopack = { root: import.meta.dirname };\n"
+            'export default { output: "export", turbopack };',
             "app/layout.jsx": "export default ({ children }) => <html><body>{children}</body></html>;",
             "app/page.jsx": 'import { CartLink } from "./cart-link.jsx";\nexport default () => <CartLink />;',
             "app/cart/page.jsx": f"export default () => <p>{MARKER}</p>;",
@@ -103,12 +104,8 @@ RECIPES = {
 def examples(heading: str) -> dict[str, str]:
     """The files in a section of the guide, by the names in their first lines."""
     section = GUIDE.split(f"\n## {heading}\n")[1].split("\n## ")[0]
-    return {
-        name: text
-        for name, text in re.findall(
-            r"^```\w+\n(?:// |<!-- )(\S+)(?: -->)?\n(.*?)^```$", section, re.MULTILINE | re.DOTALL
-        )
-    }
+    named = r"^```\w+\n(?:// |<!-- )(\S+)(?: -->)?\n(.*?)^```$"
+    return dict(re.findall(named, section, re.MULTILINE | re.DOTALL))
 
 
 def holds_cart(address: str) -> bool:

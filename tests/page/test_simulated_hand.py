@@ -1,4 +1,4 @@
-"""The simulated hand of the page package: the same movements as Python's from the same seed, and those of people."""
+"""The simulated hand of the page package: from a seed the movements of Python, which are those of people."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def test_its_chance_is_even(count: int, draw: Any) -> None:
 
 
 def test_the_generator_is_mrg32k3a() -> None:
-    """The first number of L'Ecuyer's stream that begins with 12345 everywhere, as his RngStreams prints it."""
+    """The first number of L'Ecuyer's RngStreams, which begin with 12345 everywhere."""
     stream = np.full(hand.Stream.length, 12345.0)
     assert hand.uniform(stream) == pytest.approx(0.127011122046577, abs=1e-14)
 
