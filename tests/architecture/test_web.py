@@ -8,7 +8,7 @@ import re
 from tests.architecture.tree import ROOT
 
 WEB = ROOT / "server" / "pointpred_server" / "web"
-PACKAGE = ("laws", "prediction", "client", "pointpred.js", "intent", "index.js")
+PACKAGE = ("laws", "human", "prediction", "client", "pointpred.js", "intent", "frameworks", "index.js")
 PAGE = (
     *("vendor", "shell", "drawing", "service", "live", "circle", "replay", "assist", "device", "page.js"),
     "example.js",
@@ -22,7 +22,7 @@ EXPORT = re.compile(r"^export (?:async )?(?:function\*?|class|const|let) (\w+)",
 PUBLIC = {
     *("Connection", "connect", "regionOf", "build"),
     *("onIntent", "onPlace", "register", "prefetchLink", "ledger", "onLedger", "showOverlay"),
-    *("useIntent", "Intent", "vIntent"),
+    *("useIntent", "useIntentState", "Intent", "vIntent", "intent", "human"),
 }
 
 
@@ -48,7 +48,7 @@ def imports() -> list[tuple[str, str, set[str]]]:
                 continue  # of a framework, which the page brings
             beside = posixpath.join(posixpath.dirname(path), address)
             target = address.removeprefix("/").removeprefix("web/") if address[0] == "/" else beside
-            listed = re.sub(r" as \w+", "", names.strip("{} \n")).split(",") if "{" in names else []
+            listed = re.sub(r" as \w+", "", names.strip("{} \n,")).split(",") if "{" in names else []
             found.append((path, posixpath.normpath(target), {name.strip() for name in listed}))
     return found
 
