@@ -67,7 +67,7 @@ def uniform(s: Stream) -> float:
     s.one[0], s.one[1], s.one[2] = s.one[1], s.one[2], first
     s.two[0], s.two[1], s.two[2] = s.two[1], s.two[2], second
     between = first - second if first > second else first - second + M1
-    return between / (M1 + 1.0)
+    return float(between / (M1 + 1.0))
 
 
 @law

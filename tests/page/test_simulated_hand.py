@@ -94,30 +94,3 @@ def test_it_moves_as_people_do(moved: list[list[Reports]]) -> None:
     assert 0.2 < np.mean(corrected) < 1.0, "some turn back"
     speeds = [np.hypot(*np.diff([row[1:3] for row in rows], axis=0).T).max() for rows in first]
     assert 10.0 < np.median(speeds) < 80.0, "px in 8 ms, at the fastest"
-
-
-@pytest.mark.parametrize(("count", "draw"), [(20_000, hand.uniform), (20_000, hand.normal)])
-def test_its_chance_is_even(count: int, draw: Any) -> None:
-    stream = np.zeros(hand.Stream.length)
-    hand.sow(stream, 1.0)
-    drawn = np.array([draw(stream) for _ in range(count)])
-    mean, deviation = (0.5, 12**-0.5) if draw is hand.uniform else (0.0, 1.0)
-    assert abs(drawn.mean() - mean) < 4.0 * deviation / count**0.5
-    assert abs(drawn.std() / deviation - 1.0) < 0.02
-    assert abs(np.corrcoef(drawn[1:], drawn[:-1])[0, 1]) < 0.03
-
-
-def test_the_generator_is_mrg32k3a() -> None:
-    """The first number of L'Ecuyer's RngStreams, which begin with 12345 everywhere."""
-    stream = np.full(hand.Stream.length, 12345.0)
-    assert hand.uniform(stream) == pytest.approx(0.127011122046577, abs=1e-14)
-
-
-def test_neighbouring_seeds_have_nothing_in_common() -> None:
-    first = []
-    for seed in range(2000):
-        stream = np.zeros(hand.Stream.length)
-        hand.sow(stream, float(seed))
-        first.append(hand.uniform(stream))
-    assert abs(np.corrcoef(first[1:], first[:-1])[0, 1]) < 0.07
-    assert np.histogram(first, 10, (0.0, 1.0))[0].min() > 150
