@@ -25,7 +25,7 @@ export class Registered {
     this.#key = key;
     const passed = Object.entries(this.#newest).map(([name, value]) => [
       name,
-      typeof value === "function" ? (about) => this.#newest[name](about) : value,
+      typeof value === "function" ? (...about) => this.#newest[name](...about) : value,
     ]);
     const { callback: call, ...rest } = Object.fromEntries(passed);
     this.#stop = onIntent(this.#element, call, rest);
