@@ -13,7 +13,7 @@ OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
 COMPILED = . $(if $(OBSERVERS_LAWS),./observers)
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers sanitize laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers sanitize frameworks laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -63,6 +63,9 @@ faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut 
 
 observers: $(READY)  ## the longer tests of observers: random plants in other units, every figure of the sources
 	$(BIN)/python -m pytest -q -m slow observers/tests tests/reproduction
+
+frameworks: $(READY)  ## build every example of the guide to frameworks with the framework's own build, in some minutes
+	$(BIN)/python -m pytest -q -m 'slow or not slow' tests/intent/test_frameworks.py tests/intent/test_framework_types.py tests/intent/test_recipes.py
 
 sanitize: $(READY)  ## run the laws in C under the sanitizers of addresses and undefined behaviour, with gcc
 	$(BIN)/python -m pytest -q -m slow tests/architecture

@@ -13,7 +13,7 @@ from translation.source import Name
 ATOM, CALL, UNARY, PRODUCT, SUM, ORDER, EQUAL, BITS, AND, OR, CHOICE = 20, 18, 15, 13, 12, 10, 9, 8, 5, 4, 3
 SAME = {
     *("acos", "asin", "atan", "atan2", "copysign", "cos", "cosh", "erf", "exp", "expm1", "hypot", "lgamma"),
-    *("log", "log1p", "pow", "sin", "sinh", "sqrt", "tan", "tanh"),
+    *("log", "log1p", "log2", "pow", "sin", "sinh", "sqrt", "tan", "tanh"),
 }
 """Functions of Python's ``math`` that are also functions of ``math.h``."""
 

@@ -27,8 +27,8 @@ BINARY = {
 """Operators that both languages have, with JavaScript's precedence."""
 COMPARISONS = {ast.Eq: "===", ast.NotEq: "!==", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
 SAME_IN_MATH = {
-    *("abs", "acos", "asin", "atan", "atan2", "ceil", "cos", "cosh", "exp", "expm1", "floor", "log", "log1p"),
-    *("sin", "sinh", "sqrt", "tan", "tanh", "trunc"),
+    *("abs", "acos", "asin", "atan", "atan2", "ceil", "cos", "cosh", "exp", "expm1", "floor"),
+    *("log", "log1p", "log2", "sin", "sinh", "sqrt", "tan", "tanh", "trunc"),
 }
 """Functions of Python's ``math`` that are also functions of ``Math``."""
 OWN = {"copysign", "erf", "hypot", "lgamma"}

@@ -29,7 +29,7 @@ RESERVED = {
     *("cos", "cosh", "default", "do", "double", "enum", "erf", "errno", "exit", "exp", "expm1"),
     *("extern", "fabs", "false", "fill", "fill_whole", "float", "floor", "floor_divided_float"),
     *("floor_divided_whole", "free", "goto", "hypot", "inline", "int", "int64_t", "isfinite"),
-    *("lgamma", "log", "log1p", "long", "malloc", "max_float", "max_whole", "memcpy", "memmove"),
+    *("lgamma", "log", "log1p", "log2", "long", "malloc", "max_float", "max_whole", "memcpy", "memmove"),
     *("memset", "min_float", "min_whole", "pow", "power_of_whole", "register", "release", "remainder_float"),
     *("remainder_whole", "reserved", "restrict", "short", "signed", "sin", "sinh", "size_t"),
     *("sizeof", "sqrt", "square", "static", "stderr", "stdin", "stdout", "struct", "switch"),

@@ -81,12 +81,16 @@ def _occurrences(statements: list[ast.stmt], block: Block) -> Iterator[tuple[str
 
 
 def _beginning(places: list[Occurrence]) -> ast.stmt | None:
-    """The assignment that can declare a name: the first, if it stands in the block that holds all others."""
+    """The assignment that can declare a name: the first, if it stands in the block that holds all others.
+
+    ``a = b = value`` declares neither.
+    """
     first = places[0]
     # On the right of an assignment stands what was there before: the first in the source is the value's.
     assignment = next((one for one in places if one.assigned), first)
     inside = all(one.block[: len(assignment.block)] == assignment.block for one in places)
-    return assignment.statement if inside and assignment.statement is first.statement else None
+    alone = len(getattr(assignment.statement, "targets", ())) <= 1
+    return assignment.statement if inside and alone and assignment.statement is first.statement else None
 
 
 def _views(function: ast.FunctionDef, arrays: set[str]) -> dict[str, ast.expr]:

@@ -798,6 +798,52 @@ typedef struct {
   double entered;
 } targets_ledger_State;
 typedef struct {
+  double one[3];
+  double two[3];
+} simulation_hand_Stream;
+typedef struct {
+  double skill;
+  double base_s;
+  double per_bit_s;
+  double one_piece;
+  double reach;
+  double reach_sd;
+  double turn_sd;
+  double curvature;
+  double skew;
+  double reaction_s;
+  double pause_s;
+  double verify_s;
+  double press_s;
+  double friction;
+  double rate;
+  double delay_s;
+  double muscle_s;
+  double noise;
+  double tremor_m_s;
+  double aim_sd;
+} simulation_person_Traits;
+typedef struct {
+  double share;
+  double duration;
+  double skew;
+  double turn;
+  double curve;
+  double until;
+  double pause;
+} simulation_plan_PieceDraws;
+typedef struct {
+  double friction;
+  double rate;
+  double aim_x;
+  double aim_y;
+  double reaction;
+  double verify;
+  double press;
+  double count;
+  simulation_plan_PieceDraws pieces[4];
+} simulation_plan_Draws;
+typedef struct {
   double kind;
   double numbers[7];
 } transfer_functions_Function;
@@ -873,6 +919,12 @@ typedef struct {
   simulation_loop_Settings settings;
   simulation_loop_State state;
 } simulation_loop_Memory;
+typedef struct {
+  simulation_hand_Stream stream;
+  simulation_person_Traits traits;
+  simulation_plan_Draws draws;
+  simulation_loop_Memory trial;
+} simulation_hand_Hand;
 typedef struct {
   double t;
   double x;
@@ -1399,6 +1451,13 @@ void scoring_trials_judge(Table table, WholeVector offsets, FlagVector out);
 int64_t scoring_trials_selection(Table rows, int64_t first, int64_t stop);
 int64_t scoring_trials_settling(Table rows, int64_t onset, int64_t stop);
 bool scoring_trials_straight_through(Table table, int64_t first, int64_t stop);
+void simulation_hand_aim(simulation_hand_Hand * hand, double x, double y, double width);
+void simulation_hand_begin(simulation_hand_Hand * hand, double seed, double skill);
+void simulation_hand_draw(simulation_hand_Stream * s, simulation_person_Traits * traits, simulation_plan_Draws * draws);
+double simulation_hand_normal(simulation_hand_Stream * s);
+T5d simulation_hand_report(simulation_hand_Hand * hand);
+void simulation_hand_sow(simulation_hand_Stream * s, double seed);
+double simulation_hand_uniform(simulation_hand_Stream * s);
 T2d simulation_loop_acceleration(simulation_loop_Memory * memory, double t, simulation_loop_Place place);
 void simulation_loop_advance(simulation_loop_Memory * memory, double t, double h, double extra_x, double extra_y);
 T2d simulation_loop_assist(simulation_loop_Memory * memory, double own_px, double hat_x, double hat_y);
@@ -1416,6 +1475,11 @@ int64_t simulation_loop_play(simulation_loop_Memory * memory, Table rows, Table 
 T3d simulation_loop_profile(double u, double skew);
 T2d simulation_loop_report(simulation_loop_Memory * memory, double hat_x, double hat_y);
 T14d simulation_loop_step(simulation_loop_Memory * memory, T5d chance);
+double simulation_person_between(double skill, double novice, double expert, double scatter);
+void simulation_person_grow(simulation_person_Traits * traits, double skill, Vector normals);
+void simulation_plan_plan(simulation_loop_Settings * settings, simulation_person_Traits * traits, simulation_plan_Draws * draws, double x, double y, double width);
+void simulation_plan_plan_piece(simulation_loop_Settings * settings, simulation_person_Traits * traits, simulation_plan_Draws * draws, int64_t number, double first_s);
+double simulation_plan_varied(double spread, double normal);
 void stage_copy_values(Vector values, Vector memory);
 int64_t stage_first_refused(Table answers);
 static inline void stage_learn_nothing(Vector memory);

@@ -303,6 +303,16 @@ static PyObject *give_T2q(T2q value) {
   PyTuple_SetItem(tuple, 1, PyLong_FromLongLong(value.f1));
   return tuple;
 }
+static PyObject *give_T5d(T5d value) {
+  PyObject *tuple = PyTuple_New(5);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  return tuple;
+}
 static PyObject *give_T14d(T14d value) {
   PyObject *tuple = PyTuple_New(14);
   if (tuple == NULL) return NULL;
@@ -378,16 +388,6 @@ static PyObject *give_targets_prefetch_Expected(targets_prefetch_Expected value)
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.passed));
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.sure));
-  return tuple;
-}
-static PyObject *give_T5d(T5d value) {
-  PyObject *tuple = PyTuple_New(5);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
-  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
   return tuple;
 }
 static PyObject *give_T8d(T8d value) {
@@ -9042,6 +9042,132 @@ static PyObject *py_scoring_trials_straight_through(PyObject *self, PyObject *co
   let_go(&held);
   return PyBool_FromLong(result);
 }
+static PyObject *py_simulation_hand_aim(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.hand:aim";
+  Held held;
+  const Py_buffer *view;
+  simulation_hand_Hand * a0;
+  double a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "hand", true, 1164, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  simulation_hand_aim(a0, a1, a2, a3);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_simulation_hand_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.hand:begin";
+  Held held;
+  const Py_buffer *view;
+  simulation_hand_Hand * a0;
+  double a1;
+  double a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "hand", true, 1164, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)))
+    return let_go(&held);
+  simulation_hand_begin(a0, a1, a2);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_simulation_hand_draw(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.hand:draw";
+  Held held;
+  const Py_buffer *view;
+  simulation_hand_Stream * a0;
+  simulation_person_Traits * a1;
+  simulation_plan_Draws * a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "s", true, 6, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "traits", false, 20, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "draws", true, 36, &view)
+        && (a2 = view->buf, true)))
+    return let_go(&held);
+  simulation_hand_draw(a0, a1, a2);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_simulation_hand_normal(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.hand:normal";
+  Held held;
+  const Py_buffer *view;
+  simulation_hand_Stream * a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 6, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  result = simulation_hand_normal(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_simulation_hand_report(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.hand:report";
+  Held held;
+  const Py_buffer *view;
+  simulation_hand_Hand * a0;
+  T5d result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "hand", true, 1164, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  result = simulation_hand_report(a0);
+  let_go(&held);
+  return give_T5d(result);
+}
+static PyObject *py_simulation_hand_sow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.hand:sow";
+  Held held;
+  const Py_buffer *view;
+  simulation_hand_Stream * a0;
+  double a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "s", true, 6, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  simulation_hand_sow(a0, a1);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_simulation_hand_uniform(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.hand:uniform";
+  Held held;
+  const Py_buffer *view;
+  simulation_hand_Stream * a0;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 6, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  result = simulation_hand_uniform(a0);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
 static PyObject *py_simulation_loop_acceleration(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.simulation.loop:acceleration";
   Held held;
@@ -9386,6 +9512,116 @@ static PyObject *py_simulation_loop_step(PyObject *self, PyObject *const *args, 
   result = simulation_loop_step(a0, a1);
   let_go(&held);
   return give_T14d(result);
+}
+static PyObject *py_simulation_person_between(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.person:between";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double a2;
+  double a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  result = simulation_person_between(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_simulation_person_grow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.person:grow";
+  Held held;
+  const Py_buffer *view;
+  simulation_person_Traits * a0;
+  double a1;
+  Vector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "traits", true, 20, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_array(&held, args[2], law, "normals", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  simulation_person_grow(a0, a1, a2);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_simulation_plan_plan(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.plan:plan";
+  Held held;
+  const Py_buffer *view;
+  simulation_loop_Settings * a0;
+  simulation_person_Traits * a1;
+  simulation_plan_Draws * a2;
+  double a3;
+  double a4;
+  double a5;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 6)
+        && take_memory(&held, args[0], law, "settings", true, 55, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "traits", false, 20, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "draws", false, 36, &view)
+        && (a2 = view->buf, true)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
+    return let_go(&held);
+  simulation_plan_plan(a0, a1, a2, a3, a4, a5);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_simulation_plan_plan_piece(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.plan:plan_piece";
+  Held held;
+  const Py_buffer *view;
+  simulation_loop_Settings * a0;
+  simulation_person_Traits * a1;
+  simulation_plan_Draws * a2;
+  int64_t a3;
+  double a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "settings", true, 55, &view)
+        && (a0 = view->buf, true)
+        && take_memory(&held, args[1], law, "traits", false, 20, &view)
+        && (a1 = view->buf, true)
+        && take_memory(&held, args[2], law, "draws", false, 36, &view)
+        && (a2 = view->buf, true)
+        && take_int64_t(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  simulation_plan_plan_piece(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_simulation_plan_varied(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.simulation.plan:varied";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  double a1;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_double(args[1], &a1)))
+    return let_go(&held);
+  result = simulation_plan_varied(a0, a1);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
 }
 static PyObject *py_stage_copy_values(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:copy_values";
@@ -12406,6 +12642,13 @@ static PyMethodDef methods[] = {
   {"pointpred.scoring.trials:selection", (PyCFunction)(void (*)(void))py_scoring_trials_selection, METH_FASTCALL, NULL},
   {"pointpred.scoring.trials:settling", (PyCFunction)(void (*)(void))py_scoring_trials_settling, METH_FASTCALL, NULL},
   {"pointpred.scoring.trials:straight_through", (PyCFunction)(void (*)(void))py_scoring_trials_straight_through, METH_FASTCALL, NULL},
+  {"pointpred.simulation.hand:aim", (PyCFunction)(void (*)(void))py_simulation_hand_aim, METH_FASTCALL, NULL},
+  {"pointpred.simulation.hand:begin", (PyCFunction)(void (*)(void))py_simulation_hand_begin, METH_FASTCALL, NULL},
+  {"pointpred.simulation.hand:draw", (PyCFunction)(void (*)(void))py_simulation_hand_draw, METH_FASTCALL, NULL},
+  {"pointpred.simulation.hand:normal", (PyCFunction)(void (*)(void))py_simulation_hand_normal, METH_FASTCALL, NULL},
+  {"pointpred.simulation.hand:report", (PyCFunction)(void (*)(void))py_simulation_hand_report, METH_FASTCALL, NULL},
+  {"pointpred.simulation.hand:sow", (PyCFunction)(void (*)(void))py_simulation_hand_sow, METH_FASTCALL, NULL},
+  {"pointpred.simulation.hand:uniform", (PyCFunction)(void (*)(void))py_simulation_hand_uniform, METH_FASTCALL, NULL},
   {"pointpred.simulation.loop:acceleration", (PyCFunction)(void (*)(void))py_simulation_loop_acceleration, METH_FASTCALL, NULL},
   {"pointpred.simulation.loop:advance", (PyCFunction)(void (*)(void))py_simulation_loop_advance, METH_FASTCALL, NULL},
   {"pointpred.simulation.loop:assist", (PyCFunction)(void (*)(void))py_simulation_loop_assist, METH_FASTCALL, NULL},
@@ -12423,6 +12666,11 @@ static PyMethodDef methods[] = {
   {"pointpred.simulation.loop:profile", (PyCFunction)(void (*)(void))py_simulation_loop_profile, METH_FASTCALL, NULL},
   {"pointpred.simulation.loop:report", (PyCFunction)(void (*)(void))py_simulation_loop_report, METH_FASTCALL, NULL},
   {"pointpred.simulation.loop:step", (PyCFunction)(void (*)(void))py_simulation_loop_step, METH_FASTCALL, NULL},
+  {"pointpred.simulation.person:between", (PyCFunction)(void (*)(void))py_simulation_person_between, METH_FASTCALL, NULL},
+  {"pointpred.simulation.person:grow", (PyCFunction)(void (*)(void))py_simulation_person_grow, METH_FASTCALL, NULL},
+  {"pointpred.simulation.plan:plan", (PyCFunction)(void (*)(void))py_simulation_plan_plan, METH_FASTCALL, NULL},
+  {"pointpred.simulation.plan:plan_piece", (PyCFunction)(void (*)(void))py_simulation_plan_plan_piece, METH_FASTCALL, NULL},
+  {"pointpred.simulation.plan:varied", (PyCFunction)(void (*)(void))py_simulation_plan_varied, METH_FASTCALL, NULL},
   {"pointpred.stage:copy_values", (PyCFunction)(void (*)(void))py_stage_copy_values, METH_FASTCALL, NULL},
   {"pointpred.stage:first_refused", (PyCFunction)(void (*)(void))py_stage_first_refused, METH_FASTCALL, NULL},
   {"pointpred.stage:learn_nothing", (PyCFunction)(void (*)(void))py_stage_learn_nothing, METH_FASTCALL, NULL},

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf, log2, nan
+from math import inf, nan
 
 import msgspec
 import numpy as np
@@ -11,16 +11,10 @@ from pointpred.pipeline import Pipeline
 from pointpred.records import METRES_PER_INCH, BoolArray, EventColumns, FloatArray, PointerEvent
 from pointpred.simulation import loop
 from pointpred.simulation.loop import Memory
-from pointpred.simulation.person import Person
+from pointpred.simulation.person import Person, Traits
+from pointpred.simulation.plan import FURTHER_PIECE, PATIENCE_S, Draws, plan
 from pointpred.transfer import TransferFunction
 
-PATIENCE_S = 5.0
-"""After this many seconds a person clicks where the cursor is."""
-SMALLEST_PIECE_S = 0.16
-LATER_PIECE = 0.65
-"""Duration of a later, shorter piece as a share of the first one's."""
-MOST_AIM_OFF = 0.33
-"""Largest offset of the aim from the centre, as a share of the target's width."""
 SUBSTEPS = 2
 MEAN_LATE_S = 60e-6
 MOST_LATE_S = 0.8e-3
@@ -67,61 +61,28 @@ def planned_memory(person: Person, setup: Setup, aim: Aim, generator: np.random.
     settings.metres_per_count = METRES_PER_INCH / setup.cpi
     settings.rho, settings.strength = setup.rho, setup.strength
     settings.function.memory[:] = setup.transfer.slots
-    settings.b1 = person.friction * _varied(generator, 0.05)
-    settings.rate = person.rate * _varied(generator, 0.08)
-    settings.muscle_s = person.muscle_s
+    traits = Traits(np.array(msgspec.structs.astuple(person)[1:]))
+    plan(settings, traits, _drawn(person, generator), aim.x, aim.y, aim.width)
     settings.delay_s = min(person.delay_s, (loop.RING_ROWS - 1) * setup.period_s)
-    settings.noise = person.noise
-    settings.tremor = person.tremor_m_s
-    settings.target_x, settings.target_y, settings.radius = aim.x, aim.y, 0.5 * aim.width
-    settings.aim_x, settings.aim_y = _aim(person, aim, generator)
-    settings.reaction_s = person.reaction_s * _varied(generator, 0.18)
-    settings.verify_s = person.verify_s * _varied(generator, 0.25)
-    settings.press_s = person.press_s * _varied(generator, 0.15)
-    settings.patience_s = PATIENCE_S
-    count = _pieces(person, generator)
-    settings.count = count
-    first_s = person.base_s + person.per_bit_s * log2(aim.distance / aim.width + 1.0)
-    for number, piece in enumerate(settings.pieces[:count]):
-        piece.memory[:] = _piece(person, first_s, number, count, generator)
     return memory
 
 
-def _aim(person: Person, aim: Aim, generator: np.random.Generator) -> tuple[float, float]:
-    """The point a person aims at: scattered about the centre, always well inside the target."""
-    off_x, off_y = generator.standard_normal(2) * person.aim_sd * aim.width
-    shrink = min(1.0, MOST_AIM_OFF * aim.width / max(float(np.hypot(off_x, off_y)), 1e-9))
-    return aim.x + shrink * float(off_x), aim.y + shrink * float(off_y)
-
-
-def _pieces(person: Person, generator: np.random.Generator) -> int:
-    """One to four pieces, more with less skill."""
-    if generator.uniform() < person.one_piece:
-        return 1
-    return 2 + int(generator.binomial(loop.PIECES_MOST - 2, 0.55 * (1.0 - person.skill)))
-
-
-def _piece(
-    person: Person, first_s: float, number: int, count: int, generator: np.random.Generator
-) -> list[float]:
-    """Share, duration, skew, turn, curvature, and when the next phase begins, of one piece."""
-    last = number == count - 1
-    share = generator.normal(person.reach, person.reach_sd) if last else generator.uniform(0.60, 0.88)
-    duration = first_s * (1.0 if number == 0 else LATER_PIECE) * _varied(generator, 0.10)
-    skew = float(np.clip(person.skew + 0.08 * generator.standard_normal(), -0.2, 0.6))
-    turn = generator.normal(0.0, person.turn_sd)
-    curve = person.curvature + generator.normal(0.0, 0.4 * person.turn_sd)
-    duration = max(duration, SMALLEST_PIECE_S)
-    if last:
-        until = generator.uniform(0.78, 0.94)
-    else:
-        until = generator.uniform(0.90, 1.0) + generator.exponential(person.pause_s) / duration
-    return [max(float(share), 0.3), duration, skew, float(turn), float(curve), min(float(until), 1.6)]
-
-
-def _varied(generator: np.random.Generator, spread: float) -> float:
-    """A random factor near 1, bounded."""
-    return float(np.exp(spread * np.clip(generator.standard_normal(), -2.5, 2.5)))
+def _drawn(person: Person, generator: np.random.Generator) -> Draws:
+    """The chance in a plan, from a generator of numpy."""
+    draws = Draws(np.zeros(Draws.length))
+    draws.memory[:7] = generator.standard_normal(7)
+    count = 1
+    if generator.uniform() >= person.one_piece:
+        count = 2 + int(generator.binomial(loop.PIECES_MOST - 2, FURTHER_PIECE * (1.0 - person.skill)))
+    draws.count = count
+    for number, piece in enumerate(draws.pieces[:count]):
+        last = number == count - 1
+        piece.share = generator.standard_normal() if last else generator.uniform()
+        piece.memory[1:5] = generator.standard_normal(4)
+        piece.until = generator.uniform()
+        if not last:
+            piece.pause = generator.standard_exponential()
+    return draws
 
 
 PHASE = loop.OUTPUTS.index("phase")

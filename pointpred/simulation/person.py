@@ -2,10 +2,77 @@
 
 from __future__ import annotations
 
+from math import exp
+
 import msgspec
 import numpy as np
 
+from pointpred.compiled import law
+from pointpred.layout import Layout
 from pointpred.parameter import Parameter, check
+from pointpred.records import FloatArray
+
+NORMALS = 18
+"""So many standard normal numbers make a person."""
+
+
+class Traits(Layout):
+    """What a person is: the fields of ``Person`` after its name."""
+
+    skill: float
+    base_s: float
+    per_bit_s: float
+    one_piece: float
+    reach: float
+    reach_sd: float
+    turn_sd: float
+    curvature: float
+    skew: float
+    reaction_s: float
+    pause_s: float
+    verify_s: float
+    press_s: float
+    friction: float
+    rate: float
+    delay_s: float
+    muscle_s: float
+    noise: float
+    tremor_m_s: float
+    aim_sd: float
+
+
+@law
+def between(skill: float, novice: float, expert: float, scatter: float) -> float:
+    """A trait between a novice's and an expert's, scattered by a factor e^scatter."""
+    return (novice + skill * (expert - novice)) * exp(scatter)
+
+
+@law
+def grow(traits: Traits, skill: float, normals: FloatArray) -> None:
+    """The traits of a person of a skill in [0, 1], from ``NORMALS`` standard normal numbers."""
+    n = np.empty(NORMALS)
+    for i in range(NORMALS):
+        n[i] = min(max(normals[i], -2.0), 2.0)
+    traits.skill = skill
+    traits.rate = between(skill, 7.5, 10.5, 0.08 * n[0])
+    traits.base_s = between(skill, 0.34, 0.24, 0.10 * n[1])
+    traits.per_bit_s = between(skill, 0.085, 0.060, 0.08 * n[2])
+    traits.one_piece = min(max(0.08 + 0.84 * skill, 0.0), 1.0)
+    traits.reach = between(skill, 0.96, 0.98, 0.03 * n[3])
+    traits.reach_sd = between(skill, 0.12, 0.05, 0.10 * n[4])
+    traits.turn_sd = between(skill, 0.12, 0.05, 0.15 * n[5])
+    traits.curvature = (0.08 + 0.08 * (1.0 - skill)) * normals[6]
+    traits.skew = min(max(0.10 + 0.08 * normals[7], -0.1), 0.4)
+    traits.reaction_s = between(skill, 0.26, 0.20, 0.12 * n[8])
+    traits.pause_s = between(skill, 0.07, 0.03, 0.20 * n[9])
+    traits.verify_s = between(skill, 0.17, 0.10, 0.15 * n[10])
+    traits.press_s = between(skill, 0.095, 0.080, 0.15 * n[11])
+    traits.friction = 2.0 * between(skill, 1.05, 1.05, 0.06 * n[12]) * traits.rate
+    traits.delay_s = between(skill, 0.120, 0.095, 0.08 * n[13])
+    traits.muscle_s = between(skill, 0.024, 0.018, 0.10 * n[14])
+    traits.noise = between(skill, 0.035, 0.025, 0.15 * n[15])
+    traits.tremor_m_s = between(skill, 0.0007, 0.0004, 0.20 * n[16])
+    traits.aim_sd = between(skill, 0.16, 0.12, 0.10 * n[17])
 
 
 class Person(msgspec.Struct, frozen=True):
@@ -56,34 +123,9 @@ class Person(msgspec.Struct, frozen=True):
         """
         check((Parameter("skill", "", 0.0, 1.0, "0 novice, 1 expert"),), {"skill": skill})
 
-        def between(novice: float, expert: float, spread: float) -> float:
-            middle = novice + skill * (expert - novice)
-            return float(middle * np.exp(spread * np.clip(generator.standard_normal(), -2.0, 2.0)))
-
-        rate = between(7.5, 10.5, 0.08)
-        return cls(
-            name=name,
-            skill=skill,
-            base_s=between(0.34, 0.24, 0.10),
-            per_bit_s=between(0.085, 0.060, 0.08),
-            one_piece=float(np.clip(0.08 + 0.84 * skill, 0.0, 1.0)),
-            reach=between(0.96, 0.98, 0.03),
-            reach_sd=between(0.12, 0.05, 0.10),
-            turn_sd=between(0.12, 0.05, 0.15),
-            curvature=float(generator.normal(0.0, 0.08 + 0.08 * (1.0 - skill))),
-            skew=float(np.clip(0.10 + 0.08 * generator.standard_normal(), -0.1, 0.4)),
-            reaction_s=between(0.26, 0.20, 0.12),
-            pause_s=between(0.07, 0.03, 0.20),
-            verify_s=between(0.17, 0.10, 0.15),
-            press_s=between(0.095, 0.080, 0.15),
-            friction=2.0 * between(1.05, 1.05, 0.06) * rate,
-            rate=rate,
-            delay_s=between(0.120, 0.095, 0.08),
-            muscle_s=between(0.024, 0.018, 0.10),
-            noise=between(0.035, 0.025, 0.15),
-            tremor_m_s=between(0.0007, 0.0004, 0.20),
-            aim_sd=between(0.16, 0.12, 0.10),
-        )
+        traits = Traits(np.zeros(Traits.length))
+        grow(traits, skill, generator.standard_normal(NORMALS))
+        return cls(name, *traits.memory.tolist())
 
 
 def people(count: int = 10, seed: int = 0) -> tuple[Person, ...]:

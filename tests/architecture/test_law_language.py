@@ -123,6 +123,7 @@ def step(memory, motion):
         ("c = 0.0 < a <= b", ["const c = 0 < a && a <= b;"]),
         ("c = not (a < b or a > b)", ["const c = !(a < b || a > b);"]),
         ("c = b[1:3]", ["const c = 1;"]),
+        ("c = d = a", ["let c, d;", "c = d = a;"]),
         ("c = a[b[0] : b[1]]\n    d = len(c)", ["const c = view(a, b[0], b[1]);", "const d = c.length;"]),
         ("c = b if a else 2.0 if b else 3.0", ["const c = a ? b : b ? 2 : 3;"]),
         (

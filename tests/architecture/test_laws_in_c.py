@@ -33,6 +33,7 @@ NUMBERS = {
     "either": "float(a < b or a > 2.0 and b > 0.0)",
     "away": "hypot(a, b) + copysign(1.0, a) * atan2(a, b)",
     "order": "a - (b - a) - -b",
+    "octaves": "log2(a * a + 1.0)",
 }
 WHOLE = {"down_whole": "i // j", "rest_whole": "i % j", "bits": "(i & 12) + ~j", "parts": "i / j"}
 LOOPS = '''
@@ -73,7 +74,7 @@ def turns(memory: FloatArray, i: int, j: int) -> float:
 """
 """Python computes from left to right; C would in any order."""
 HEAD = """
-from math import atan2, copysign, hypot
+from math import atan2, copysign, hypot, log2
 from typing import NamedTuple
 import numpy as np
 from pointpred.records import FloatArray, FloatTable

@@ -21,7 +21,7 @@ TESTS = (
     *("unit/test_scoring_metrics.py", "unit/test_scoring_targets.py", "unit/test_simulation_people.py"),
     *("unit/test_targets_decision.py", "unit/test_targets_prefetch.py", "unit/test_targets_account.py"),
     *("unit/test_targets_aim.py", "unit/test_targets_endpoint.py", "unit/test_targets_past.py"),
-    "unit/test_targets_given.py",
+    *("unit/test_targets_given.py", "unit/test_simulation_hand.py"),
     *(
         "unit/test_transfer_assisted_stage.py",
         "unit/test_transfer_identification.py",

@@ -8,7 +8,10 @@ import re
 from tests.architecture.tree import ROOT
 
 WEB = ROOT / "server" / "pointpred_server" / "web"
-PACKAGE = ("laws", "prediction", "client", "pointpred.js", "intent", "entries", "index.js", "script")
+PACKAGE = (
+    *("laws", "human", "prediction", "client", "pointpred.js", "intent", "entries", "frameworks", "index.js"),
+    "script",
+)
 PAGE = (
     *("vendor", "shell", "drawing", "service", "live", "circle", "replay", "assist", "device", "page.js"),
     "example.js",
@@ -22,7 +25,7 @@ EXPORT = re.compile(r"^export (?:async )?(?:function\*?|class|const|let) (\w+)",
 PUBLIC = {
     *("Connection", "connect", "regionOf", "build"),
     *("onIntent", "onPlace", "register", "prefetchLink", "ledger", "onLedger", "showOverlay"),
-    *("useIntent", "Intent", "vIntent"),
+    *("useIntent", "useIntentState", "Intent", "vIntent", "intent", "human"),
 }
 
 

@@ -9,10 +9,11 @@ from pathlib import Path
 import pytest
 
 from tests.hosts import Silent, file_host
+from tests.intent import npm
+from tests.intent.npm import LIB
 from tests.intent.page import IntentPage
 from tests.server import page_browser
 
-LIB = Path(__file__).parents[2] / "server" / "pointpred_server" / "web" / "lib"
 EMPTY = b'<!doctype html><title>a page</title><body style="margin:0">'
 
 
@@ -49,3 +50,19 @@ def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[page_browser.V
 def page(visitor: page_browser.Visitor, host: str) -> IntentPage:
     """An empty page with the module loaded."""
     return IntentPage(visitor, host)
+
+
+@pytest.fixture(scope="session")
+def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the frameworks and drivers of npm, and this package as users install it."""
+    folder = tmp_path_factory.mktemp("packages")
+    npm.install(folder, *npm.TRIED)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def older_packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same with the oldest versions that the package is made for."""
+    folder = tmp_path_factory.mktemp("older")
+    npm.install(folder, *npm.OLDER)
+    return folder

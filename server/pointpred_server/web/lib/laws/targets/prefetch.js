@@ -19,7 +19,7 @@ export const SMALLEST = 1e-06;
 export const LEAST_VISITS = 0.05;
 export const ROUNDING = 1e-06;
 export const THRESHOLD = 0.5;
-export const FITTED = [1.645, 0.86, 0.181, 0.077, 0.718, 3.055];
+export const FITTED = [1.445, 0.84, 0.375, 0.148, 0.666, 2.595];
 export function contact(x, y, dx, dy, row) {
   let enters = 0;
   let leaves = Infinity;

@@ -5,6 +5,14 @@ import * as $pixels from "./pixels.js";
 export const USUAL_GUARD = [0.5, 0.5, 0.25];
 export const SETTINGS = 17;
 export const END = 24;
+export function pull(rho, strength, dt, own_px, off_x, off_y) {
+  const length = hypot(off_x, off_y);
+  if (!(0 < length && length < Infinity)) {
+    return 0;
+  }
+  const share = -Math.expm1(-rho * dt);
+  return strength < Infinity ? smaller(share, strength * own_px / length) : share;
+}
 export function spread(way_px, sxx, sxy, syy, unclaimed) {
   if (sxx !== sxx) {
     return unclaimed;

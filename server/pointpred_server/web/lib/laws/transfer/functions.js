@@ -3,6 +3,7 @@ import { copysign, larger, smaller } from "../arithmetic.js";
 export const CONSTANT = 1;
 export const SIGMOID = 2;
 export const ARCTAN = 3;
+export const POLYNOMIAL = 4;
 export const BOUNDED = 5;
 export const COEFFICIENTS_MOST = 7;
 export const BOUNDED_COEFFICIENTS = 5;
@@ -41,4 +42,17 @@ export function gain(f, speed, f_at = 0) {
     return value;
   }
   return speed > 0 ? value + f[f_at + 1] / speed : copysign(Infinity, f[f_at + 1]);
+}
+export function cursor_speed(f, speed, f_at = 0) {
+  if (f[f_at] === POLYNOMIAL) {
+    let value = 0;
+    for (let i = COEFFICIENTS_MOST - 1, end_1 = -1; i > end_1; i--) {
+      value = value * speed + f[f_at + i + 1];
+    }
+    return value;
+  }
+  if (f[f_at] === ARCTAN) {
+    return Math.atan(speed);
+  }
+  return gain(f, speed, f_at) * speed;
 }

@@ -1,0 +1,58 @@
+// Hooks and a component for React.
+
+import { createElement, forwardRef, useCallback, useEffect, useImperativeHandle, useRef, useState } from "react";
+import { Registered } from "./registered.js";
+
+const BEFORE = { predicted: false, fired: false, p: 0, error: null };
+
+/**
+ * Calls `callback` when the user is heading for the element that gets the returned ref. Callback and options may change in
+ * each render.
+ * @param {import("../index.d.ts").IntentCallback} callback
+ * @param {import("../index.d.ts").IntentOptions} [options]
+ * @returns {(element: Element|null) => void} a ref
+ */
+export function useIntent(callback, options) {
+  const given = useRef([callback, options]);
+  const registered = useRef(null);
+  useEffect(() => {
+    given.current = [callback, options];
+    registered.current?.update(callback, options);
+  });
+  return useCallback((element) => {
+    registered.current?.stop();
+    registered.current = element && new Registered(element, ...given.current);
+  }, []);
+}
+
+/** As `useIntent`, with what has become of it, which renders again whenever it changes: `{ ref, predicted, fired, p, error }`. */
+export function useIntentState(callback, options) {
+  const [state, setState] = useState(BEFORE);
+  const change = (part) => setState((now) => ({ ...now, ...part }));
+  const ref = useIntent((firing) => {
+    const fail = (error) => change({ error });
+    setState({ predicted: true, fired: true, p: firing.p, error: null });
+    firing.signal.addEventListener("abort", () => change({ predicted: false }));
+    try {
+      const answer = callback?.(firing);
+      answer?.catch?.(fail);
+      return answer;
+    } catch (error) {
+      fail(error);
+      throw error;
+    }
+  }, options);
+  return { ref, ...state };
+}
+
+/** An element, `as` which (`"a"` by default), that calls `onIntent`; `options` as in `useIntent`, every other property goes to the element. */
+export const Intent = forwardRef(function Intent({ as = "a", onIntent, options, ...properties }, outer) {
+  const element = useRef(null);
+  const register = useIntent(onIntent, options);
+  const ref = useCallback((found) => {
+    element.current = found;
+    register(found);
+  }, []);
+  useImperativeHandle(outer, () => element.current, [as]);
+  return createElement(as, { ...properties, ref });
+});

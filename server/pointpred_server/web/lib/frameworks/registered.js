@@ -1,0 +1,44 @@
+// An element as a framework registers it: what it is told may change whenever the page is rendered.
+
+import { onIntent } from "../intent/index.js";
+
+const named = (_, value) => (typeof value === "function" ? "a function" : value);
+
+/** A registered element. Another callback is called from then on; other options register the element again. */
+export class Registered {
+  #element;
+  #newest;
+  #key = "";
+  #stop = () => {};
+
+  /** @param {Element} element @param {import("../index.d.ts").IntentCallback} callback @param {object} [options] of `onIntent` */
+  constructor(element, callback, options) {
+    this.#element = element;
+    this.update(callback, options);
+  }
+
+  update(callback, options = {}) {
+    this.#newest = { ...options, callback };
+    const key = JSON.stringify(options, named);
+    if (key === this.#key) return;
+    this.stop();
+    this.#key = key;
+    const passed = Object.entries(this.#newest).map(([name, value]) => [
+      name,
+      typeof value === "function" ? (...about) => this.#newest[name](...about) : value,
+    ]);
+    const { callback: call, ...rest } = Object.fromEntries(passed);
+    this.#stop = onIntent(this.#element, call, rest);
+  }
+
+  stop() {
+    this.#stop();
+  }
+}
+
+/** What a directive or an action is given: the callback itself, or the callback with options. */
+export function partsOf(value) {
+  if (typeof value === "function") return [value];
+  const { callback, ...options } = value;
+  return [callback, options];
+}
