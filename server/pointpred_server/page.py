@@ -16,8 +16,10 @@ FIRST = ("page/live/start.js", "lib/prediction/session.js")
 REST = "page/page.js"
 """Every view."""
 REGISTRY_MODULE = "lib/laws/registry.js"
-IMPORT = re.compile(r'^(?:import|export) [^;"]*?"(\.[^"]+)"', re.MULTILINE)
+IMPORT = re.compile(r'^(?:import|export) (?:[^;"]*? from )?"(\.[^"]+)"', re.MULTILINE)
 LOADED = re.compile(r'"([\w-]+)": \{[^\n]*?import\("(\.[^"]+)"\)')
+REPOSITORY = "https://github.com/pointpred/pointpred"
+"""Where the page's links to documents and source lead."""
 CHARSET = '<meta charset="utf-8">'
 POLICY = SECURITY_HEADERS["Content-Security-Policy"].replace("; frame-ancestors 'none'", "")
 """As the service sends it, but for what only a header can say: the page loads nothing from elsewhere."""
@@ -38,6 +40,7 @@ def page(service: bool = True) -> str:
         text = text.replace(
             CHARSET, f'{CHARSET}\n<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
         )
+    text = text.replace("{repository}", REPOSITORY)
     return text.replace(MODULES_PLACE, "\n".join(_links())).replace(FILES_PLACE, "" if service else FILES)
 
 
