@@ -151,12 +151,12 @@ function showDemo(now) {
   }
   const { take, event, time } = moment,
     ended = time > take.rows[event][0] + DEMO_END_S && event === take.rows.length - 1;
-  const answer = take.answers[event],
+  const answer = take.answers[event];
+  const marks = [markOf(answer, demoRegions, now, ended ? 0 : 1, still), null],
     proposed = marks[0] === null ? null : take.proposals[event],
     tile = tiles.list.findIndex(({ id }) => id === take.tile);
   if (still) recordings?.showLoaded(tile);
   else recordings?.simulate(take, positionAt(moment, (performance.now() - now) / 1000), ended, tile);
-  const marks = [markOf(answer, demoRegions, now, ended ? 0 : 1, still), null];
   const opacities = opacitiesOf(Object.fromEntries((answer.targets ?? []).map(({ id, p }) => [id, p])), marks[0]);
   drawLive(canvas, take.rows.slice(0, event + 1), marks, time, { list: tiles.list, opacities, proposed }, "none");
   publish("demo", proposed, 0);
