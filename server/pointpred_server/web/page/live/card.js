@@ -2,8 +2,7 @@
 
 import { SmoothRegions } from "../drawing/regions.js";
 import { withParameters } from "../service/listing.js";
-import { PredictorConnection, stateText } from "../service/predictor-connection.js";
-import { ConnectionStatus } from "../service/status.js";
+import { ConnectionStatus, PredictorConnection, stateText } from "../service/predictor-connection.js";
 import { fillSelect } from "../shell/elements.js";
 import { Parameters } from "./parameters.js";
 import { markOf, opacityAfter, PredictionFields } from "./prediction.js";
