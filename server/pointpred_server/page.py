@@ -13,8 +13,8 @@ from pointpred_server.http_responses import SECURITY_HEADERS
 WEB = Path(__file__).with_name("web")
 FIRST = ("page/live/start.js", "lib/prediction/session.js")
 """The live view and what it predicts with; what they import follows."""
-REST = "page/page.js"
-"""Every view."""
+REST = ("page/page.js", "lib/intent/small-source.js")
+"""Every view, and what `onIntent` begins with."""
 REGISTRY_MODULE = "lib/laws/registry.js"
 IMPORT = re.compile(r'^(?:import|export) (?:[^;"]*? from )?"(\.[^"]+)"', re.MULTILINE)
 LOADED = re.compile(r'"([\w-]+)": \{[^\n]*?import\("(\.[^"]+)"\)')
@@ -54,7 +54,7 @@ def _modules() -> list[str]:
     """The modules that the page needs, those of its first prediction first, by their paths in the folder."""
     loaded = dict(LOADED.findall((WEB / REGISTRY_MODULE).read_text(encoding="utf-8")))
     stages = (RECOMMENDED, REGISTRY[RECOMMENDED].differentiator)
-    roots = [*FIRST, *(_beside(REGISTRY_MODULE, loaded[name]) for name in stages), REST]
+    roots = [*FIRST, *(_beside(REGISTRY_MODULE, loaded[name]) for name in stages), *REST]
     found: dict[str, None] = {}
     for root in roots:
         waiting = [root]

@@ -315,7 +315,9 @@ def test_a_parameter_that_is_refused_says_so_beside_it(visitor: Visitor) -> None
 @pytest.mark.parametrize("name", REGISTRY)
 def test_every_slider_covers_its_default_and_nothing_beyond_the_bounds(visitor: Visitor, name: str) -> None:
     settable = [one for one in describe(name)["parameters"] if one["default"] is not None]
-    code = f"import('/web/page/live/parameters.js').then(({{ rangeOf }}) => {json.dumps(settable)}.map(rangeOf))"
+    code = (
+        f"import('/web/page/live/parameters.js').then(({{ rangeOf }}) => {json.dumps(settable)}.map(rangeOf))"
+    )
     for parameter, covered in zip(settable, visitor.value(code), strict=True):
         low, high = covered["from"], covered["to"]
         assert parameter["low"] <= low <= parameter["default"] <= high <= parameter["high"], parameter["name"]

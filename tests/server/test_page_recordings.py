@@ -1,4 +1,4 @@
-"""What the tiles of the live view stand for: recordings that load ahead, counted by the product's own ledger."""
+"""What the tiles of the live view stand for: recordings that load ahead, counted by `onIntent`'s ledger."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ PAUSE = "new Promise((done) => setTimeout(done, 700))"
 
 @pytest.fixture
 def visitor(one: Visitor, url: str) -> Iterator[Visitor]:
-    """Somebody at the live view, whose recordings can load; nothing is complained of, and nothing moves by itself."""
+    """Somebody at the live view; nothing is complained of, nothing shifts, no other host is asked."""
     one.prefer()
     one.resize(1280, 720)
     one.open(f"{url}#live")
@@ -138,7 +138,8 @@ def test_a_key_loads_a_recording_and_uses_it(visitor: Visitor) -> None:
 def test_no_frame_stays_around_a_tile_when_the_movement_is_over(visitor: Visitor) -> None:
     goal = middle(visitor, 3)
     visitor.value(
-        f"window.framed = false, new MutationObserver(() => framed ||= {SCENE}.shows === 'pointer' && {SCENE}.ahead !== '')"
+        "window.framed = false, new MutationObserver(() => "
+        f"framed ||= {SCENE}.shows === 'pointer' && {SCENE}.ahead !== '')"
         ".observe(document.querySelector('#live-scene'), { attributeFilter: ['data-ahead'] })"
     )
 

@@ -14,10 +14,20 @@ from tests.server.page_browser import Visitor
 pytestmark = browser.needed
 
 VIEWS = ("live", "circle", "replay", "assist")
-SIZES = ((320, 640), (390, 844), (768, 1024), (999, 700), (1000, 700), (1280, 720), (1920, 1080), (2560, 1440))
+SIZES = (
+    (320, 640),
+    (390, 844),
+    (768, 1024),
+    (999, 700),
+    (1000, 700),
+    (1280, 720),
+    (1920, 1080),
+    (2560, 1440),
+)
 AXE = "axe-core@4.14.1"
-READY = "[...document.querySelectorAll('[role=tabpanel]:not([hidden]) select')].every(({ disabled }) => !disabled)"
-BEYOND = """[...document.querySelectorAll("header, [role=tabpanel]:not([hidden]), [role=tabpanel]:not([hidden]) *")]
+SELECTS = "document.querySelectorAll('[role=tabpanel]:not([hidden]) select')"
+READY = f"[...{SELECTS}].every(({{ disabled }}) => !disabled)"
+BEYOND = """[...document.querySelectorAll("header, [role=tabpanel]:not([hidden]), [role=tabpanel] *")]
   .filter((one) => one.checkVisibility() && !one.closest(".scroll, pre, select, svg"))
   .flatMap((one) => {
     const { right } = one.getBoundingClientRect();
