@@ -89,7 +89,7 @@ def test_what_is_loaded_and_not_used_is_counted_as_wasted_and_loads_anew(visitor
     def wasted() -> bool:
         visitor.reach(somewhere(visitor), goal, 0.4)
         visitor.value(PAUSE)
-        return shown(visitor, 1)["state"] == "wasted"
+        return bool(shown(visitor, 1)["state"] == "wasted")
 
     until(wasted, "a recording that was loaded in vain")
     assert shown(visitor, 1)["words"] == "not used"
@@ -125,10 +125,12 @@ def test_where_less_motion_is_asked_for_a_recording_is_shown_loaded_and_nothing_
 
 def test_a_key_loads_a_recording_and_uses_it(visitor: Visitor) -> None:
     visitor.value("document.querySelector('#tab-live').focus()")
-    until(
-        lambda: visitor.press("Tab") or visitor.value(f"document.activeElement === {BUTTON.format(0)}"),
-        "the focus on the first recording",
-    )
+
+    def reached() -> bool:
+        visitor.press("Tab")
+        return bool(visitor.value(f"document.activeElement === {BUTTON.format(0)}"))
+
+    until(reached, "the focus on the first recording")
     visitor.wait(f"{BUTTON.format(0)}.dataset.state === 'loaded'")
     visitor.press("Enter")
     visitor.wait(f"{BUTTON.format(0)}.dataset.state === 'hit'")
