@@ -17,7 +17,7 @@ MOVEMENTS = 12
 """Movements of the embedded sample that go with the page."""
 LEFT_OUT = (
     *("index.html", "package.json", "README.md", "*.d.ts", "example.*"),
-    *("entries", "intent", "only", "script"),
+    *("entries", "frameworks", "human", "only", "script"),
 )
 """The page without its links, and what is for pages of other people."""
 

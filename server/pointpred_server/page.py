@@ -13,11 +13,13 @@ from pointpred_server.http_responses import SECURITY_HEADERS
 WEB = Path(__file__).with_name("web")
 FIRST = ("page/live/start.js", "lib/prediction/session.js")
 """The live view and what it predicts with; what they import follows."""
-REST = "page/page.js"
-"""Every view."""
+REST = ("page/page.js", "lib/intent/page-source.js")
+"""Every view, and what `onIntent` begins with."""
 REGISTRY_MODULE = "lib/laws/registry.js"
-IMPORT = re.compile(r'^(?:import|export) [^;"]*?"(\.[^"]+)"', re.MULTILINE)
+IMPORT = re.compile(r'^(?:import|export) (?:[^;"]*? from )?"(\.[^"]+)"', re.MULTILINE)
 LOADED = re.compile(r'"([\w-]+)": \{[^\n]*?import\("(\.[^"]+)"\)')
+REPOSITORY = "https://github.com/pointpred/pointpred"
+"""Where the page's links to documents and source lead."""
 CHARSET = '<meta charset="utf-8">'
 POLICY = SECURITY_HEADERS["Content-Security-Policy"].replace("; frame-ancestors 'none'", "")
 """As the service sends it, but for what only a header can say: the page loads nothing from elsewhere."""
@@ -38,6 +40,7 @@ def page(service: bool = True) -> str:
         text = text.replace(
             CHARSET, f'{CHARSET}\n<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
         )
+    text = text.replace("{repository}", REPOSITORY)
     return text.replace(MODULES_PLACE, "\n".join(_links())).replace(FILES_PLACE, "" if service else FILES)
 
 
@@ -51,7 +54,7 @@ def _modules() -> list[str]:
     """The modules that the page needs, those of its first prediction first, by their paths in the folder."""
     loaded = dict(LOADED.findall((WEB / REGISTRY_MODULE).read_text(encoding="utf-8")))
     stages = (RECOMMENDED, REGISTRY[RECOMMENDED].differentiator)
-    roots = [*FIRST, *(_beside(REGISTRY_MODULE, loaded[name]) for name in stages), REST]
+    roots = [*FIRST, *(_beside(REGISTRY_MODULE, loaded[name]) for name in stages), *REST]
     found: dict[str, None] = {}
     for root in roots:
         waiting = [root]

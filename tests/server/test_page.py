@@ -58,6 +58,7 @@ def live(visitor: Visitor, url: str, second: str = "") -> tuple[float, float, fl
     visitor.open(f"{url}#live")
     visitor.wait(f"{STATUS.format(0)} === 'open'")
     if second:
+        visitor.value("document.querySelector('#live-more').open = true")
         visitor.choose("#live-predictor-1", second)
         visitor.wait(f"{STATUS.format(1)} === 'open'")
     return visitor.corner("#live-scene")

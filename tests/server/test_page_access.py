@@ -61,7 +61,8 @@ def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
 
 
 STOPS = {
-    "live": {"tab-live", "place", "live-predictor-0", "live-predictor-1"},
+    "live": {"tab-live", "place", "live-predictor-0", "live-predictor-1", "snippet", "snippet-copy"}
+    | {f"recording-{number}" for number in range(1, 6)},
     "circle": {
         "tab-circle",
         "place",
@@ -95,10 +96,11 @@ def test_every_control_is_reached_by_tab_and_shows_its_focus(visitor: Visitor, u
     visitor.wait(f"{selects}.every(({{ disabled }}) => !disabled)")
     line = "document.querySelector('[role=tabpanel]:not([hidden]) .connection')"
     visitor.wait(f"{line}?.dataset.state !== 'connecting'")
+    visitor.value("document.querySelector('#live-more').open = true")
     reached = set()
     active = "document.activeElement"
     shown = f"getComputedStyle({active}.type === 'file' ? {active}.parentElement : {active}).outlineStyle"
-    for _ in range(len(STOPS[view]) + 3):
+    for _ in range(len(STOPS[view]) + 5):
         visitor.press("Tab")
         stop = visitor.value("document.activeElement.id || document.activeElement.name || ''")
         reached.add(stop)

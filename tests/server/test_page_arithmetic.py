@@ -36,13 +36,13 @@ def call(visitor: Visitor, module: str, expression: str, **given: Any) -> Any:
 
 @pytest.mark.parametrize(("distance", "count"), [(300.0, 13), (120.5, 3), (500.0, 41)])
 def test_targets_lie_where_the_simulation_puts_them(visitor: Visitor, distance: float, count: int) -> None:
-    placed = call(visitor, "circle/geometry", "m.circle(d, [10, 20], n)", d=distance, n=count)
+    placed = call(visitor, "page/circle/geometry", "m.circle(d, [10, 20], n)", d=distance, n=count)
     assert np.allclose(placed, positions(distance, (10.0, 20.0), count), atol=1e-9)
 
 
 def test_an_even_number_of_targets_is_refused(visitor: Visitor) -> None:
     attempt = "{ try { m.circle(100, [0, 0], 12) } catch (error) { return error.name } }"
-    assert call(visitor, "circle/geometry", attempt) == "RangeError"
+    assert call(visitor, "page/circle/geometry", attempt) == "RangeError"
 
 
 @pytest.mark.parametrize("tail", [None, 0.6, 1.4, 30.0, 1e-3, 1e15, 1e200])
@@ -54,7 +54,7 @@ def test_regions_are_those_of_the_package(
     sxx, sxy, syy = scale
     shown = {"x": 3.5, "y": -4.0, "region": {"sxx": sxx, "sxy": sxy, "syy": syy, "tail": tail}}
     levels = [1e-9, 0.5, 0.8, 0.95]
-    drawn = call(visitor, "client/regions", "levels.map((p) => m.regionOf(r, p))", r=shown, levels=levels)
+    drawn = call(visitor, "lib/client/regions", "levels.map((p) => m.regionOf(r, p))", r=shown, levels=levels)
     for level, found in zip(levels, drawn, strict=True):
         wanted = Prediction(0.0, 3.5, -4.0, scale, "ballistic", None, tail).region(level)
         if wanted is None or found is None:
@@ -72,18 +72,18 @@ def test_regions_are_those_of_the_package(
      {"x": 1, "y": 2, "region": {"sxx": 1e300, "sxy": 0, "syy": 1, "tail": 0.01}}],
 )  # fmt: skip
 def test_no_region_is_drawn_where_none_is_claimed(visitor: Visitor, shown: Any) -> None:
-    assert call(visitor, "client/regions", "m.regionOf(r, 0.5)", r=shown) is None
+    assert call(visitor, "lib/client/regions", "m.regionOf(r, 0.5)", r=shown) is None
 
 
 @pytest.mark.parametrize("level", [0, 1, -0.5, 2, None])
 def test_a_region_of_no_possible_level_is_refused(visitor: Visitor, level: float | None) -> None:
     attempt = "{ try { m.regionOf(null, p) } catch (e) { return e instanceof RangeError } }"
-    assert call(visitor, "client/regions", attempt, p=level) is True
+    assert call(visitor, "lib/client/regions", attempt, p=level) is True
 
 
 @pytest.mark.parametrize("values", [[3.0, 1.0, 2.0], [4.0, 1.0, 2.0, 10.0], [7.0]])
 def test_median(visitor: Visitor, values: list[float]) -> None:
-    assert call(visitor, "page/numbers", "m.median(v)", v=values) == np.median(values)
+    assert call(visitor, "page/shell/numbers", "m.median(v)", v=values) == np.median(values)
 
 
 PRESSES = """(() => {
@@ -107,7 +107,7 @@ PRESSES = """(() => {
 
 
 def test_a_block_begins_on_its_first_target_and_a_miss_counts(visitor: Visitor) -> None:
-    found = call(visitor, "circle/task", PRESSES)
+    found = call(visitor, "page/circle/task", PRESSES)
     assert found["before"] == [False, 1, 0]
     assert found["ended"] == [None, [1, True, 2], [2, False, 2], [3, True, 2], None]
     assert found["between"] == [False, 2, 2, False]
@@ -130,7 +130,7 @@ def test_statistics_of_a_block_worked_out_by_hand(visitor: Visitor) -> None:
         trial(2, [1.0, 0.0, 0.0], [1.7, 104.0, 3.0]),
         trial(3, [2.0, -2.0, 1.0], [2.9, 100.0, 0.0], hit=False),
     ]
-    found = call(visitor, "circle/statistics", "m.blockStatistics(t)", t=trials)
+    found = call(visitor, "page/circle/statistics", "m.blockStatistics(t)", t=trials)
     width = 4.133 * math.sqrt(28.0 / 3.0)  # beside by -2, 4 and 0: mean 2/3
     assert found["effectiveWidth"] == pytest.approx(width)
     assert found["effectiveDistance"] == pytest.approx((96 + 104 + 102) / 3)
@@ -143,7 +143,7 @@ def test_statistics_say_nothing_where_they_mean_nothing(visitor: Visitor) -> Non
     same = [trial(i, [i, 0.0, 0.0], [i + 0.5, 100.0, 0.0]) for i in (1, 2)]
     close = [trial(i, [i, 0.0, 0.0], [i + 0.5, 100.0 + 1e-6 * i, 0.0]) for i in (1, 2)]
     for trials in ([], same[:1], same, close):
-        found = call(visitor, "circle/statistics", "m.statistics(t)", t=trials)
+        found = call(visitor, "page/circle/statistics", "m.statistics(t)", t=trials)
         assert found["throughput"] is None
         assert found["trials"] == len(trials)
 
@@ -151,8 +151,10 @@ def test_statistics_say_nothing_where_they_mean_nothing(visitor: Visitor) -> Non
 def test_throughput_is_the_mean_over_blocks(visitor: Visitor) -> None:
     first = [trial(i, [i, 0.0, 0.0], [i + 0.5, 99.0 + 2 * (i % 2), 0.0]) for i in range(1, 5)]
     second = [trial(i, [i, 0.0, 0.0], [i + 0.8, 97.0 + 6 * (i % 2), 0.0], block=2) for i in range(1, 5)]
-    each = [call(visitor, "circle/statistics", "m.blockStatistics(t)", t=part) for part in (first, second)]
-    found = call(visitor, "circle/statistics", "m.statistics(t)", t=first + second)
+    each = [
+        call(visitor, "page/circle/statistics", "m.blockStatistics(t)", t=part) for part in (first, second)
+    ]
+    found = call(visitor, "page/circle/statistics", "m.statistics(t)", t=first + second)
     assert found["throughput"] == pytest.approx((each[0]["throughput"] + each[1]["throughput"]) / 2)
     assert [block["block"] for block in found["blocks"]] == [1, 2]
 
@@ -167,7 +169,7 @@ def test_recordings_read_back_to_the_same_bits(visitor: Visitor, tmp_path: Path)
         ]
         trials.append(trial(number, [10.0 * number, 0.1, 0.2], [rows[-1][0], 99.7, 1e-7], rows=rows))
     trials[1]["rows"] = []
-    files = call(visitor, "circle/recording", "m.recording(t, 'night')", t=trials)
+    files = call(visitor, "page/circle/recording", "m.recording(t, 'night')", t=trials)
     for file in files.values():
         (tmp_path / file["name"]).write_text(file["text"], encoding="utf-8")
     recording = read(tmp_path / "night_samples.csv")
@@ -190,12 +192,12 @@ def test_recordings_read_back_to_the_same_bits(visitor: Visitor, tmp_path: Path)
 def test_damaged_tables_are_refused(visitor: Visitor, text: str, code: str) -> None:
     damaged = text.replace("t_s\n", "t_s,x_px\n")
     catch = "{ try { m.parse(text) } catch (error) { return error.code } }"
-    assert call(visitor, "replay/csv", catch, text=damaged) == code
+    assert call(visitor, "page/replay/csv", catch, text=damaged) == code
 
 
 def test_quoted_cells(visitor: Visitor) -> None:
     text = '"a","b"\n"one, two","say ""so"""\n,3\n'
-    assert call(visitor, "replay/csv", "m.parse(text).rows", text=text) == [
+    assert call(visitor, "page/replay/csv", "m.parse(text).rows", text=text) == [
         ["one, two", 'say "so"'],
         ["", "3"],
     ]
@@ -206,16 +208,16 @@ def test_a_constant_speed_is_shown_whatever_the_rate(visitor: Visitor, rate_hz: 
     trail = [[i / rate_hz, 300.0 * i / rate_hz, 400.0 * i / rate_hz] for i in range(rate_hz)]
     last = trail[-1][0]
     found = call(
-        visitor, "live/movement", "[0, 0.01, 0.03, 0.051].map((s) => m.speed(t, l + s))", t=trail, l=last
+        visitor, "page/live/movement", "[0, 0.01, 0.03, 0.051].map((s) => m.speed(t, l + s))", t=trail, l=last
     )
     assert found == pytest.approx([500.0, 500.0, 500.0, 0.0])
 
 
 def test_a_pause_does_not_slow_what_comes_after_it(visitor: Visitor) -> None:
     trail = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.01, 5.0, 0.0]]
-    assert call(visitor, "live/movement", "m.speed(t, 1.01)", t=trail) == pytest.approx(500.0)
-    assert call(visitor, "live/movement", "m.speed(t.slice(0, 2), 1.01)", t=trail) == 0.0
-    assert call(visitor, "live/movement", "m.speed([], 1)") == 0.0
+    assert call(visitor, "page/live/movement", "m.speed(t, 1.01)", t=trail) == pytest.approx(500.0)
+    assert call(visitor, "page/live/movement", "m.speed(t.slice(0, 2), 1.01)", t=trail) == 0.0
+    assert call(visitor, "page/live/movement", "m.speed([], 1)") == 0.0
 
 
 def test_phase_intervals(visitor: Visitor) -> None:
@@ -227,7 +229,7 @@ def test_phase_intervals(visitor: Visitor) -> None:
         [4, None],
         [5, "ballistic"],
     ]
-    found = call(visitor, "live/strip", "m.phaseIntervals(s)", s=samples)
+    found = call(visitor, "page/live/strip", "m.phaseIntervals(s)", s=samples)
     assert found == [["ballistic", 1, 3], ["corrective", 3, 4]]
 
 
@@ -242,5 +244,5 @@ def test_an_entry_takes_nothing_from_the_prediction_of_another_tile(visitor: Vis
     ]
     choices = [dict(zip(("t", "id", "action", "reason"), row, strict=True)) for row in rows]
     times = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
-    said = call(visitor, "live/takes", "m.proposedAt(times, choices)", times=times, choices=choices)
+    said = call(visitor, "page/live/takes", "m.proposedAt(times, choices)", times=times, choices=choices)
     assert said == [None, "goal", "goal", "goal", "goal", "other", "other"]

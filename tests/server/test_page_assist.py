@@ -139,7 +139,7 @@ def test_targets_are_clicked_with_help_and_without_it(visitor: Visitor) -> None:
 
 def test_the_keyboard_reaches_everything_and_captures_the_mouse(visitor: Visitor) -> None:
     stops = set()
-    for _ in range(10):
+    for _ in range(12):
         visitor.press("Tab")
         stops.add(visitor.value("document.activeElement.id || document.activeElement.name || ''"))
     wanted = {"tab-assist", "assist-predictor", "cpi", "gain", "strength", "alternate", "assist-capture"}

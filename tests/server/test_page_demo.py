@@ -58,6 +58,7 @@ def test_live_predicts_and_says_where(visitor: Visitor, address: str) -> None:
     left, top, width, height = visitor.corner("#live-scene")
     visitor.reach((left + 0.2 * width, top + 0.3 * height), (left + 0.8 * width, top + 0.5 * height), 0.5)
     visitor.wait("Number(document.querySelector('#live-scene').dataset.drawn) > 0")
+    visitor.value("document.querySelector('#live-more').open = true")
     visitor.choose("#live-predictor-1", "switched")
     visitor.wait(f"document.querySelector('#live-card-1 .connection').textContent === '{HERE}'")
     assert visitor.value("document.querySelectorAll('#live-parameters-1 input[type=range]').length") > 5

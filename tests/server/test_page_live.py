@@ -340,6 +340,7 @@ def test_every_word_of_the_numbers_and_every_predictor_is_explained(visitor: Vis
 def test_no_number_is_cut(visitor: Visitor, size: tuple[int, int]) -> None:
     """The longest that can stand there."""
     visitor.resize(*size)
+    visitor.value("document.querySelector('#live-more').open = true")
     longest = {
         "phase": "corrective",
         "left": "1.99 s",
@@ -350,7 +351,7 @@ def test_no_number_is_cut(visitor: Visitor, size: tuple[int, int]) -> None:
     }
     cut = visitor.value(
         f"""Object.entries({json.dumps(longest)}).flatMap(([of, words]) => {{
-          const cells = [...document.querySelectorAll(`#view-live .stage [data-of=${{of}}]`)];
+          const cells = [...document.querySelectorAll(`#view-live [data-of=${{of}}]`)];
           return cells.filter((cell) => {{
             cell.textContent = words;
             return cell.scrollWidth > cell.clientWidth;

@@ -97,7 +97,7 @@ def test_both_places_are_compared_on_the_same_movements_when_asked(visitor: Visi
 def test_predictions_that_differ_are_reported(visitor: Visitor, url: str) -> None:
     visitor.open(url)
     found = visitor.value(
-        "import('/web/page/live/pairs.js').then(({ Pairs }) => {"
+        "import('/web/page/live/comparison.js').then(({ Pairs }) => {"
         "const pairs = new Pairs();"
         "const add = (which, t, x, y) => pairs.add(which, { t, x, y });"
         "add(0, 1, 5, 5); add(1, 1, 5, 5); add(0, 2, null, null); add(1, 2, null, null);"

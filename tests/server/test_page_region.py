@@ -178,7 +178,7 @@ def test_a_region_beyond_the_picture_tints_nothing_and_its_number_says_no_more(v
     visitor.value(f"window.region = {json.dumps([width / 2, height / 2, 4e6, 0.0, 4e6, 1.0])}")
     kept = picture(visitor, (left + 40.0, top + 140.0), (left + 140.0, top + 140.0))
     _, opacity = pixels(kept["picture"])
-    empty = opacity[200 : round(height) - 80, 10:90]
+    empty = opacity[200 : visitor.value(TILE)["y"] - 2, 10:90]
     assert (empty == 0.0).all()
     said = [words for words in kept["said"] if words != "–"][-1]  # before, the pointer was elsewhere
     assert said.startswith("over ")

@@ -4,9 +4,11 @@
 import * as assist from "./assist/view.js";
 import * as circle from "./circle/view.js";
 import * as device from "./device/view.js";
+import * as recordings from "./live/recordings.js";
 import * as live from "./live/view.js";
 import { part } from "./shell/elements.js";
 import "./shell/glossary.js";
+import "./shell/snippet.js";
 import { refuseFiles } from "./replay/drop.js";
 import * as replay from "./replay/view.js";
 import { hasService, makePlaceSelect, onPlace } from "./service/place.js";
@@ -76,6 +78,8 @@ makeTabs(part("tabs"), (view, before) => {
   if (before !== null) closeView(before);
   VIEWS[view].forEach(open);
 });
+
+live.useRecordings(recordings);
 
 makePlaceSelect(part("place"));
 

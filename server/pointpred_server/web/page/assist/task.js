@@ -66,7 +66,7 @@ export class Task {
   /** The results as rows of a table: with assistance, and without. */
   get table() {
     return [
-      ["", "targets", "median, s", "missed"],
+      ["targets", "clicked", "median, s", "missed"],
       ...[true, false].map((assisted) => {
         const targets = this.done.filter((one) => one.assisted === assisted);
         const seconds = median(targets.map((one) => one.seconds));

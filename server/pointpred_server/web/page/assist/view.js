@@ -4,8 +4,7 @@ import { clearCanvas, colours, FrameLoop, onRepaint } from "../drawing/canvas.js
 import { disc, line } from "../drawing/marks.js";
 import { predictors } from "../service/listing.js";
 import { inPage } from "../service/place.js";
-import { PredictorConnection } from "../service/predictor-connection.js";
-import { ConnectionStatus } from "../service/status.js";
+import { ConnectionStatus, PredictorConnection } from "../service/predictor-connection.js";
 import { fillSelect, fillTable, part, write } from "../shell/elements.js";
 import { COUNTS, isSupported, PointerLock } from "./pointer-lock.js";
 import { Task } from "./task.js";

@@ -1,6 +1,7 @@
 // The attached device in the live view: its trail, predictions, rates, losses and gain curve.
 
 import { clearCanvas, FrameLoop, prefersLessMotion } from "../drawing/canvas.js";
+import { drawLegends } from "../drawing/legend.js";
 import { SmoothRegions } from "../drawing/regions.js";
 import { drawLive, recentPart } from "../live/picture.js";
 import { markOf, opacityAfter, PredictionFields, publishDrawn, publishRegions } from "../live/prediction.js";
@@ -133,6 +134,7 @@ export async function open() {
   handlers.device(attached); // before it becomes visible, so that nothing moves afterwards
   link.classList.remove("away");
   part("device-view").hidden = false;
+  drawLegends();
   curve ??= new GainCurve(part("device-gain"));
   curve.fit();
   stream = new DeviceStream(handlers);

@@ -50,7 +50,8 @@ const SYMBOLS = {
   corrective: phase("corrective"),
 };
 
-function drawVisible() {
+/** Draws the symbols that are visible; it is called again whenever theme or size change. */
+export function drawLegends() {
   for (const canvas of document.querySelectorAll("canvas[data-swatch]")) {
     if (canvas.clientWidth === 0) continue;
     const { pen, width, height } = clearCanvas(canvas);
@@ -58,8 +59,4 @@ function drawVisible() {
   }
 }
 
-/** Draws the symbols that are visible, and again whenever theme or size change. */
-export function drawLegends() {
-  onRepaint(drawVisible);
-  drawVisible();
-}
+onRepaint(drawLegends);

@@ -2,9 +2,8 @@
 
 import { SmoothRegions } from "../drawing/regions.js";
 import { withParameters } from "../service/listing.js";
-import { PredictorConnection, stateText } from "../service/predictor-connection.js";
-import { ConnectionStatus } from "../service/status.js";
-import { fillSelect, sentence, write } from "../shell/elements.js";
+import { ConnectionStatus, PredictorConnection, stateText } from "../service/predictor-connection.js";
+import { fillSelect } from "../shell/elements.js";
 import { Parameters } from "./parameters.js";
 import { markOf, opacityAfter, PredictionFields } from "./prediction.js";
 
@@ -14,7 +13,6 @@ export class LiveCard {
   /** @type {import("../service/listing.js").Listed[]} */ #predictors = [];
   #card;
   #status;
-  #about;
   #handlers;
   #options;
   #regions = new SmoothRegions();
@@ -30,7 +28,6 @@ export class LiveCard {
     this.select = card.querySelector("select");
     this.fields = new PredictionFields(card);
     this.#status = new ConnectionStatus(card.querySelector(".connection"));
-    this.#about = card.querySelector(".about");
     this.#handlers = {
       prediction: (one) => onPrediction(one, this.connection.activePredictor),
       state: () => this.#showStatus(),
@@ -86,10 +83,9 @@ export class LiveCard {
     this.#showStatus();
   }
 
-  /** Shows the predictor's own description, and its parameters. */
+  /** Shows the predictor's parameters. */
   #describe() {
     const chosen = this.#predictors.find(({ name }) => name === this.select.value) ?? null;
-    write(this.#about, chosen?.title ? sentence(chosen.title) : "");
     this.parameters.show(chosen === null ? null : { name: chosen.name, parameters: [] });
     if (chosen !== null) this.#showParameters(chosen);
   }

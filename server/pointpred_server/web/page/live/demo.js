@@ -81,6 +81,14 @@ export class Demo {
   }
 }
 
+/** Where the simulated pointer is at a moment, between two events. @param {Moment} moment @param {number} late s after it @returns {number[]} x, y */
+export function positionAt({ take: { rows }, event, time }, late) {
+  const [t, x, y] = rows[event];
+  const [nextT, nextX, nextY] = rows[Math.min(event + 1, rows.length - 1)];
+  const share = nextT > t ? Math.min(1, Math.max(0, (time + late - t) / (nextT - t))) : 1;
+  return [x + share * (nextX - x), y + share * (nextY - y)];
+}
+
 /** The event at half of the distance, or the next one at which a tile is proposed before the pointer is near its end. */
 function middleOf({ rows, proposals }) {
   const [, endX, endY] = rows.at(-1),

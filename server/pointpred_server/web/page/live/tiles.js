@@ -3,13 +3,14 @@
 import { Ledger } from "../../lib/prediction/ledger.js";
 
 const COUNT = 5;
-const HEIGHT_PX = 44;
-const EDGE_PX = 22;
+const HEIGHT_PX = 56;
+const MOST_PX = 160; // wide
+const EDGE_PX = 48; // below them stands what they are
 
 /** The tiles of a picture of this size, side by side at its lower edge. @returns {import("../../lib/pointpred.js").Target[]} */
 export function row(width, height) {
   const step = width / COUNT,
-    tileWidth = Math.round(0.62 * step);
+    tileWidth = Math.round(Math.min(MOST_PX, 0.8 * step));
   return Array.from({ length: COUNT }, (_, i) => ({
     id: `tile-${i + 1}`,
     x: Math.round((i + 0.5) * step - tileWidth / 2),

@@ -10,7 +10,7 @@ import { accountOf, median, number } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
 import { LiveCard } from "./card.js";
 import { Comparison } from "./comparison.js";
-import { Demo, judge } from "./demo.js";
+import { Demo, judge, positionAt } from "./demo.js";
 import { describe, RecentLeads } from "./earliness.js";
 import { Movement, speed } from "./movement.js";
 import { drawLive, KEPT_S, recentPart } from "./picture.js";
@@ -65,9 +65,11 @@ let writeAt = 0;
 let frames = 0;
 let ownVerdict = null; // the sentence on the person's own movement, while that of the demo is shown
 let informed = null; // the connection that has the positions of the tiles
+let recordings = null; // the module of what the tiles stand for, which follows when the first prediction is there
 
 function move(rows) {
   movedAt = performance.now();
+  if (judged) recordings?.clear();
   judged = false;
   eventCounts.push([movedAt, rows.length]);
   trail.push(...rows.map(([t, x, y]) => [t, x, y]));
@@ -117,7 +119,8 @@ function showPointer(now) {
   ownVerdict = null;
   const seconds = performance.now() / 1000,
     marks = cards.map((card) => card.mark(now));
-  const { list, probabilities, proposed } = tiles;
+  const { list, probabilities } = tiles;
+  const proposed = marks[0] === null ? null : tiles.proposed; // no frame stays when the movement is over
   const endpoints = drawLive(canvas, trail, marks, seconds, {
     list,
     opacities: opacitiesOf(probabilities, marks[0]),
@@ -149,17 +152,14 @@ function showDemo(now) {
   const { take, event, time } = moment,
     ended = time > take.rows[event][0] + DEMO_END_S && event === take.rows.length - 1;
   const answer = take.answers[event];
-  const marks = [markOf(answer, demoRegions, now, ended ? 0 : 1, still), null];
+  const marks = [markOf(answer, demoRegions, now, ended ? 0 : 1, still), null],
+    proposed = marks[0] === null ? null : take.proposals[event],
+    tile = tiles.list.findIndex(({ id }) => id === take.tile);
+  if (still) recordings?.showLoaded(tile);
+  else recordings?.simulate(take, positionAt(moment, (performance.now() - now) / 1000), ended, tile);
   const opacities = opacitiesOf(Object.fromEntries((answer.targets ?? []).map(({ id, p }) => [id, p])), marks[0]);
-  drawLive(
-    canvas,
-    take.rows.slice(0, event + 1),
-    marks,
-    time,
-    { list: tiles.list, opacities, proposed: take.proposals[event] },
-    "none",
-  );
-  publish("demo", take.proposals[event], 0);
+  drawLive(canvas, take.rows.slice(0, event + 1), marks, time, { list: tiles.list, opacities, proposed }, "none");
+  publish("demo", proposed, 0);
   if (ended || still) judgeDemo(take);
   const rate = take.rows.filter(([t]) => t <= time && t > time - 1).length;
   return { marks, speed: ended ? 0 : take.speeds[event], rate, delay: median(take.delays) };
@@ -185,6 +185,7 @@ function writeNumbers(now, { marks, speed: pace, rate, delay }) {
 /** Writes how early the end of the person's movement was predicted. */
 function judgeMovement() {
   judged = true;
+  recordings?.settle();
   const result = movement.verdict(),
     tile = clickedTile;
   movement.clear();
@@ -216,6 +217,7 @@ export async function open() {
   drawLegends();
   for (const card of cards) card.open();
   loop.start();
+  recordings?.open();
   await fillCards();
   if (active) comparison.open();
 }
@@ -230,10 +232,17 @@ async function fillCards() {
   if (active) for (const card of cards) card.open();
 }
 
+/** Takes the module of what the tiles stand for. @param {typeof import("./recordings.js")} module */
+export function useRecordings(module) {
+  recordings = module;
+  if (active) recordings.open();
+}
+
 /** Closes the connections. */
 export function close() {
   active = false;
   loop.stop();
+  recordings?.close();
   tiles.clear();
   demo.close();
   comparison.close();
@@ -241,4 +250,8 @@ export function close() {
 }
 
 if (window.matchMedia("(pointer: coarse)").matches) write(invitation.querySelector("strong"), "Move your finger here");
-listenToPointer(canvas, { onMove: move, onPress: (row, event) => event.button === 0 && press(row) });
+listenToPointer(
+  part("live-picture"),
+  { onMove: move, onPress: (row, event) => event.button === 0 && press(row) },
+  canvas,
+);

@@ -1,6 +1,7 @@
 // A connection with one predictor, in the page or at the service: its newest prediction, and how long answers take.
 
 import { connect } from "../../lib/pointpred.js";
+import { write } from "../shell/elements.js";
 import { median } from "../shell/numbers.js";
 import { token } from "./http.js";
 import { inPage } from "./place.js";
@@ -118,5 +119,30 @@ export class PredictorConnection {
 
   close() {
     this.#connection.close();
+  }
+}
+
+/** The line that shows the state of a connection. */
+export class ConnectionStatus {
+  #line;
+
+  /** @param {HTMLElement} line */
+  constructor(line) {
+    this.#line = line;
+  }
+
+  /** The state of the connection; empty if there is none. @returns {string} */
+  get state() {
+    return this.#line.dataset.state ?? "";
+  }
+
+  /**
+   * @param {string|undefined} state of the connection, undefined if there is none
+   * @param {{error?: string|null, disconnected?: string}} about the newest error; the text if there is no connection
+   */
+  show(state, { error, disconnected }) {
+    this.#line.dataset.state = state ?? "";
+    const text = state === undefined ? disconnected : stateText(state);
+    if (text !== undefined) write(this.#line, error && state !== "open" ? `${text} ${error}` : text);
   }
 }

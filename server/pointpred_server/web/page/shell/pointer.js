@@ -12,19 +12,20 @@ function corner(element) {
 }
 
 /**
- * Listens to the pointer over an element; positions are relative to the upper left corner inside its border.
+ * Listens to the pointer over an element.
  * @param {HTMLElement} element
  * @param {{
  *   onMove: (rows: number[][]) => void,
  *   onPress?: (row: number[], event: PointerEvent) => void,
  *   onRelease?: (row: number[], event: PointerEvent) => void,
  * }} handlers `onMove` is called with every sample, presses and releases included; the others are called after it
+ * @param {HTMLElement} frame positions are relative to the upper left corner inside its border
  */
-export function listenToPointer(element, { onMove, onPress, onRelease }) {
+export function listenToPointer(element, { onMove, onPress, onRelease }, frame = element) {
   let last = -Infinity;
 
   function samples(event) {
-    const from = corner(element);
+    const from = corner(frame);
     const coalesced = event.getCoalescedEvents?.() ?? [];
     const rows = (coalesced.length ? coalesced : [event]).map((each) => row(each, from));
     const fresh = rows.filter(([t]) => t >= last); // a press may be reported before the samples that led to it
@@ -34,7 +35,7 @@ export function listenToPointer(element, { onMove, onPress, onRelease }) {
 
   function click(event, handle) {
     const rows = samples(event);
-    if (!rows.length) rows.push([last, ...row(event, corner(element)).slice(1)]);
+    if (!rows.length) rows.push([last, ...row(event, corner(frame)).slice(1)]);
     onMove(rows);
     handle?.(rows[rows.length - 1], event);
   }
@@ -45,7 +46,7 @@ export function listenToPointer(element, { onMove, onPress, onRelease }) {
   });
   element.addEventListener("pointerdown", (event) => {
     if (!event.isPrimary) return;
-    if (event.pointerType !== "mouse") element.setPointerCapture(event.pointerId);
+    if (event.pointerType !== "mouse") event.target.setPointerCapture(event.pointerId);
     click(event, onPress);
   });
   element.addEventListener("pointerup", (event) => event.isPrimary && click(event, onRelease));
