@@ -17,7 +17,7 @@ MOVEMENTS = 12
 """Movements of the embedded sample that go with the page."""
 LEFT_OUT = (
     *("index.html", "package.json", "README.md", "*.d.ts", "example.*"),
-    *("entries", "frameworks", "human", "only", "script"),
+    *("entries", "frameworks", "human", "script"),
 )
 """The page without its links, and what is for pages of other people."""
 
