@@ -2,8 +2,8 @@
 
 A page imports ``onIntent`` of an entry of the npm package, or registers with ForesightJS, and a bundler
 with its defaults, minifying, makes files of it. Chromium opens the page; counted are the scripts that it
-asks for until nothing more comes, compressed with gzip. For the first prediction a mouse goes up and down
-over links from the start, and each answer of the host waits. Needs npm, node and Chromium.
+asks for until nothing more comes, compressed with gzip. For the first firing a mouse goes up and down over
+links from the start, and each answer of the host waits. Needs npm, node and Chromium.
 """
 
 from __future__ import annotations
@@ -45,14 +45,14 @@ STILL_S = 3.5
 """Nothing more is asked for afterwards: what waits for an idle page has come within two seconds."""
 OURS = """import {{ onIntent }} from "{entry}";
 for (const one of document.querySelectorAll("a"))
-  onIntent(one, ({{ reason }}) => fired(reason), {{ threshold: 0.1 }});
+  onIntent(one, ({{ reason }}) => fired(reason));
 """
 THEIRS = """import { ForesightManager } from "js.foresight";
 for (const element of document.querySelectorAll("a"))
-  ForesightManager.instance.register({ element, callback: () => fired("predicted") });
+  ForesightManager.instance.register({ element, callback: () => fired("unknown") });
 """
 TAG = """for (const one of document.querySelectorAll("a"))
-  pointpred.onIntent(one, ({ reason }) => fired(reason), { threshold: 0.1 });
+  pointpred.onIntent(one, ({ reason }) => fired(reason));
 """
 SUBJECTS = {
     "`pointpred/minimum-jerk`": OURS.format(entry="pointpred/minimum-jerk"),
@@ -67,7 +67,10 @@ COMMANDS = {
 }
 HTML = """<!doctype html><title>links</title><style>a { display: block; height: 30px }</style>HEAD
 <script>
-  window.fired = (reason) => { if (reason === "predicted") window.first ??= performance.now(); };
+  window.fired = (reason) => {
+    window.first ??= performance.now();
+    if (reason === "predicted") window.ahead ??= performance.now();
+  };
   const began = performance.now();
   setInterval(() => {
     const clientY = 300 + 290 * Math.sin((performance.now() - began) / 200);
@@ -85,11 +88,15 @@ class NpmMissingError(Exception):
 
 
 class Loaded(NamedTuple):
-    """What a page asked for: how many scripts, their bytes compressed, when it first predicted (s)."""
+    """What a page asked for: how many scripts, their bytes compressed.
+
+    When it first fired, and when it first did so before the entry, which ForesightJS does not tell, s.
+    """
 
     requests: int
     size: int
-    first_s: float | None
+    first_s: float
+    ahead_s: float
 
 
 class Load(Protocol):
@@ -213,10 +220,10 @@ def chromium(profile: Path) -> Iterator[Load]:
             handler = partial(Slow, asked=asked, latency_s=latency_s, directory=str(folder))
             with host(handler) as origin, running.tab(f"{origin}/index.html") as page:
                 page.wait_for_timeout(1000 * still_s)
-                first = page.evaluate("window.first ?? null")
+                first, ahead = page.evaluate("[window.first ?? NaN, window.ahead ?? NaN]")
             scripts = [folder / path.lstrip("/") for path in asked if path.endswith(".js")]
             size = sum(len(gzip.compress(path.read_bytes(), 9)) for path in scripts)
-            return Loaded(len(scripts), size, None if first is None else first / 1000.0)
+            return Loaded(len(scripts), size, first / 1000.0, ahead / 1000.0)
 
         yield load
 
@@ -226,16 +233,16 @@ def sizes(folder: Path, load: Load) -> Table:
     rows = []
     for name, source in SUBJECTS.items():
         for bundler in COMMANDS:
-            count, size, _ = load(bundle(folder, source, bundler))
+            count, size, *_ = load(bundle(folder, source, bundler))
             rows.append((name, bundler, str(count), f"{size / 1000.0:.1f}"))
     for script in SCRIPTS:
-        count, size, _ = load(script_tag(folder, script))
+        count, size, *_ = load(script_tag(folder, script))
         rows.append((f"`{script}`", "none: a script tag", str(count), f"{size / 1000.0:.1f}"))
     return Table.of(("imported", "bundler", "requests", "kB"), rows)
 
 
 def first_predictions(folder: Path, load: Load) -> Table:
-    """When a page first predicts while each of its files comes late: the median of some visits."""
+    """When a page first fires while each of its files comes late: medians of some visits."""
     makes: dict[str, Callable[[], Path]] = {
         f"`{name}`, a script tag": partial(script_tag, folder, name) for name in SCRIPTS
     }
@@ -246,9 +253,11 @@ def first_predictions(folder: Path, load: Load) -> Table:
     rows = []
     for name, make in makes.items():
         made = make()
-        firsts = [load(made, LATENCY_S).first_s or math.nan for _ in range(VISITS)]
-        rows.append((name, f"{statistics.median(firsts):.2f}"))
-    return Table.of(("page", "first prediction, s"), rows)
+        visits = [load(made, LATENCY_S) for _ in range(VISITS)]
+        first = statistics.median(visit.first_s for visit in visits)
+        ahead = statistics.median(visit.ahead_s for visit in visits)
+        rows.append((name, f"{first:.2f}", "-" if math.isnan(ahead) else f"{ahead:.2f}"))
+    return Table.of(("page", "first firing, s", "first before the entry, s"), rows)
 
 
 def main() -> None:
