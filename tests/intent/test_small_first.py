@@ -15,12 +15,13 @@ WATCH = (
 )
 
 SOURCE = """
-Promise.all(["source", "page-source"].map((name) => `intent/${name}`)
+Promise.all(["source", "page-source", "usual-stages"].map((name) => `intent/${name}`)
   .concat("prediction/build", "laws/registry")
   .map((name) => import(`/pointpred/${name}.js`)))
-  .then(async ([{ Source }, { inPage }, { build }, { REGISTRY }]) => {
-    const first = inPage(REGISTRY, "minimum-jerk"), said = [];
-    const source = new Source({ ...inPage(REGISTRY, "kinematic-adaptive"), first });
+  .then(async ([{ Source }, { inPage }, { usualStages }, { build }, { REGISTRY }]) => {
+    const predictorOf = (name) => inPage(name, () => usualStages(REGISTRY, name));
+    const first = predictorOf("minimum-jerk"), said = [];
+    const source = new Source({ ...predictorOf("kinematic-adaptive"), first });
     while (source.predictor === null) await new Promise((done) => setTimeout(done, 5));
     const pipelines = { small: await build("minimum-jerk"), learned: await build("kinematic-adaptive") };
     const add = (number, i) => {

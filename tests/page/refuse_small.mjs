@@ -5,7 +5,7 @@ import { inPage } from "../../server/pointpred_server/web/lib/intent/page-source
 import { answer, given } from "./given.mjs";
 
 const counting = (wrong) => ({
-  parameters: [],
+  values: [],
   settings: 0,
   learned: 0,
   states: 1,
@@ -16,11 +16,6 @@ const counting = (wrong) => ({
     return [...row, memory[0]];
   },
 });
-const registry = {
-  GAINS: {},
-  DIFFERENTIATORS: { counting: { load: async () => counting(2) } },
-  PREDICTORS: { counting: { differentiator: "counting", load: async () => counting(1) } },
-};
 const { rows } = await given(),
-  source = await inPage(registry, "counting").open();
+  source = await inPage("counting", async () => [counting(2), counting(1)]).open();
 answer(rows.map((row) => source.add(row)?.slice(2) ?? null));
