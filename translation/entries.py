@@ -6,14 +6,16 @@ import json
 from collections.abc import Iterable
 from pathlib import Path
 
+import numpy as np
+
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.parameter import Parameter
 from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, Entry
 from pointpred.stage import CompiledStage
 from pointpred.targets.aim import Aim
 from translation.expressions import number
-from translation.names import alias, path_of
-from translation.stages import COEFFICIENTS, LOAD_COEFFICIENTS, laws_of, object_text, parts_of
+from translation.names import alias, path_of, qualified
+from translation.stages import COEFFICIENTS, LOAD_COEFFICIENTS, laws_of, object_text
 
 FIRST = "minimum-jerk"
 """Predicts until the recommended one is loaded: it needs no coefficients."""
@@ -90,13 +92,13 @@ def _fields(parameters: Iterable[Parameter], indent: str) -> Iterable[str]:
 
 
 def _registry(entry: Entry) -> str:
-    """What `build` needs, and apart from it, without the bounds of parameters, what `onIntent` needs.
+    """What `build` needs, and apart from it what `onIntent` needs: no parameters, and nothing that fills a memory.
 
     With coefficients a predictor is loaded when it is needed, with them; without, it is there at once.
     """
     differentiator = DIFFERENTIATORS[entry.differentiator]
     at_once = [differentiator] if _needs_coefficients(entry) else [differentiator, entry.predictor]
-    laws = {name.module for stage in at_once for name in laws_of(stage).values()}
+    laws = {laws_of(stage)["step"].module for stage in at_once}
     lines = [NOTE, *map(_import, at_once)]
     lines += [f'import * as {alias(module)} from "../{path_of(module)}";' for module in sorted(laws)]
     if _needs_coefficients(entry):
@@ -106,7 +108,7 @@ def _registry(entry: Entry) -> str:
         predictor = (
             f'Promise.all([import("../{path}"), import("../{COEFFICIENTS}")]).then('
             f"([{{ {kind} }}, {{ COEFFICIENTS }}]) => "
-            f"({{ ...{kind}, coefficients: COEFFICIENTS, {_values(entry.predictor, entry)} }}))"
+            f"({{ step: {kind}.step, coefficients: COEFFICIENTS, {_memory(entry.predictor, entry)} }}))"
         )
     else:
         own = f"load: async () => {entry.predictor.__name__}"
@@ -129,15 +131,18 @@ def _registry(entry: Entry) -> str:
 
 
 def _stage(stage: type[CompiledStage], entry: Entry) -> str:
-    """The laws of a stage, and the usual values of its parameters."""
-    return f"{{ {', '.join(parts_of(stage, ''))}, {_values(stage, entry)} }}"
+    """The law of a stage, and the memory that it begins with."""
+    return f"{{ step: {qualified(laws_of(stage)['step'])}, {_memory(stage, entry)} }}"
 
 
-def _values(stage: type[CompiledStage], entry: Entry) -> str:
-    """The usual values of a stage's parameters as `fill` takes them."""
+def _memory(stage: type[CompiledStage], entry: Entry) -> str:
+    """The memory of a stage with the usual values: the numbers that it begins with, and how many follow, all zero."""
     given = GAINS | entry.preset
-    values = (one.number(given.get(one.name, one.default)) for one in stage.parameters)
-    return f"values: [{', '.join(number(value).text for value in values)}]"
+    own = {one.name for one in stage.parameters} & given.keys()
+    memory = np.frombuffer(stage(**{name: given[name] for name in own}).remembered())
+    first = np.trim_zeros(memory, "b")
+    numbers = ", ".join(number(float(value)).text for value in first)
+    return f"settings: [{numbers}], states: {len(memory) - len(first)}"
 
 
 def _import(stage: type[CompiledStage]) -> str:

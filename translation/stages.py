@@ -47,23 +47,21 @@ def laws_of(stage: type[CompiledStage]) -> dict[str, Name]:
 
 def text_of(stage: type[CompiledStage]) -> str:
     """The object of a class."""
-    parts = parts_of(stage, stage.__module__)
+    laws = laws_of(stage)
+    parts = [
+        f"{word}: {renamed(name.name) if name.module == stage.__module__ else qualified(name)}"
+        for word, name in laws.items()
+    ]
+    example = stage(**_required(stage))
+    memory, learned = len(example.remembered()) // 8, example.learned
+    parts.append(
+        f"settings: {example._first - learned}, learned: {learned}, states: {memory - example._first}"
+    )
     if stage.slots:
         parts.append(f"layout: {json.dumps(layout_name(stage.slots).hex())}")
         parts.append(f"slots: [\n{_lines(_shortened([_slot(slot) for slot in stage.slots]))}\n  ]")
     parts.append(f"parameters: [\n{_lines(_parameter(one) for one in stage.parameters)}\n  ]")
     return f"export const {stage.__name__} = {{\n" + "".join(f"  {part},\n" for part in parts) + "};"
-
-
-def parts_of(stage: type[CompiledStage], home: str) -> list[str]:
-    """The laws of a class, as a module calls them, and the sizes of its memory."""
-    example = stage(**_required(stage))
-    memory, learned = len(example.remembered()) // 8, example.learned
-    laws = [
-        f"{word}: {renamed(name.name) if name.module == home else qualified(name)}"
-        for word, name in laws_of(stage).items()
-    ]
-    return [*laws, f"settings: {example._first - learned}, learned: {learned}, states: {memory - example._first}"]
 
 
 def registry_text(version: str) -> str:

@@ -9,7 +9,7 @@ pytestmark = browser.needed
 
 WHEN_IDLE = "window.requestIdleCallback = (done) => { window.isIdle = done; }"
 LOADED = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.js'))"
-PREDICTOR = "[...trackers.values()][0].view.predictor"
+PREDICTOR = "[...trackers.values()][0].source.predictor"
 WATCH = (
     "watch(box('goal', 600, 500), { predictor: undefined, once: false }); register(box('other', 100, 500))"
 )

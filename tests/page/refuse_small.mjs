@@ -5,11 +5,8 @@ import { inPage } from "../../server/pointpred_server/web/lib/intent/page-source
 import { answer, given } from "./given.mjs";
 
 const counting = (wrong) => ({
-  values: [],
-  settings: 0,
-  learned: 0,
+  settings: [],
   states: 1,
-  fill() {},
   step(memory, row) {
     if (row[1] === wrong) return [NaN];
     memory[0] += 1;

@@ -4,9 +4,9 @@
 import { isRefused } from "../prediction/row.js";
 
 /**
- * The laws of a stage.
- * @typedef {{step: Function, fill: Function, settle?: Function, sizes?: Function, settings: number, learned: number, states: number, values: number[],
- *   coefficients?: Float64Array}} Stage `values`: of its parameters, in their order
+ * The law of a stage.
+ * @typedef {{step: Function, settings: ArrayLike<number>, states: number, coefficients?: Float64Array}} Stage `settings`: what its memory begins
+ *   with; `states`: how many numbers follow, all zero
  */
 
 /**
@@ -33,11 +33,8 @@ async function open(loadStages) {
 }
 
 /** A law and a memory of its own. @param {Stage} stage */
-function begin({ step, fill, settle, values, coefficients, ...kind }) {
-  const settings = Float64Array.from(values);
-  const [first, learned, states] = kind.sizes?.(settings) ?? [kind.settings, kind.learned, kind.states];
-  const memory = new Float64Array(first + learned + states);
-  fill(settings, memory);
-  settle?.(memory);
+function begin({ step, settings, states, coefficients }) {
+  const memory = new Float64Array(settings.length + states);
+  memory.set(settings);
   return { memory, step: (row) => step(memory, row, coefficients) };
 }

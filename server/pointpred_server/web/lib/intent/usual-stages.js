@@ -12,10 +12,14 @@ export async function usualStages({ DIFFERENTIATORS, GAINS, PREDICTORS }, name) 
     loadCoefficients?.(),
   ]);
   const given = { ...GAINS, ...preset };
-  const valuesOf = ({ parameters }) =>
-    parameters.map(({ name: word, default: usual, absent }) => given[word] ?? usual ?? absent);
-  return [
-    { ...differentiator, values: valuesOf(differentiator) },
-    { ...predictor, values: valuesOf(predictor), coefficients },
-  ];
+  return [stageOf(differentiator, given), { ...stageOf(predictor, given), coefficients }];
+}
+
+function stageOf({ parameters, step, fill, settle, ...kind }, given) {
+  const values = Float64Array.from(parameters, ({ name, default: usual, absent }) => given[name] ?? usual ?? absent);
+  const [first, learned, states] = kind.sizes?.(values) ?? [kind.settings, kind.learned, kind.states];
+  const settings = new Float64Array(first + learned + states);
+  fill(values, settings);
+  settle?.(settings);
+  return { step, settings, states: 0 };
 }

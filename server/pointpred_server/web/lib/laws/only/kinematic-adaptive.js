@@ -8,6 +8,6 @@ export const REGISTRY = {
 };
 export const loadStages = () =>
   Promise.all([
-    { step: $homogeneous.step, fill: $homogeneous.fill, settle: $homogeneous.settle, settings: 17, learned: 0, states: 30, values: [0, 96, 0.1, 0.3, 4, 48, 1.6, 0, 0.0015] },
-    Promise.all([import("../predictors/adaptation/predictor.js"), import("../kinematic.js")]).then(([{ AdaptiveKinematicPredictor }, { COEFFICIENTS }]) => ({ ...AdaptiveKinematicPredictor, coefficients: COEFFICIENTS, values: [1, 1, 10, 1, 1] })),
+    { step: $homogeneous.step, settings: [0, 0.0002645833333333333, 0.1, 0.3, 4, 0, 0.0015, 0, 0.04, 444.2880000000001, 67717.69344000003, 4192827.6049920022, 89060441.84985606], states: 34 },
+    Promise.all([import("../predictors/adaptation/predictor.js"), import("../kinematic.js")]).then(([{ AdaptiveKinematicPredictor }, { COEFFICIENTS }]) => ({ step: AdaptiveKinematicPredictor.step, coefficients: COEFFICIENTS, settings: [1, 1, 10, 1, 1], states: 3944 })),
   ]);

@@ -8,6 +8,6 @@ export const REGISTRY = {
 };
 export const loadStages = () =>
   Promise.all([
-    { step: $homogeneous.step, fill: $homogeneous.fill, settle: $homogeneous.settle, settings: 17, learned: 0, states: 30, values: [0, 96, 0.1, 0.3, 4, 48, 1.6, 0, 0.0015] },
-    Promise.all([import("../predictors/kinematic/predictor.js"), import("../kinematic.js")]).then(([{ KinematicPredictor }, { COEFFICIENTS }]) => ({ ...KinematicPredictor, coefficients: COEFFICIENTS, values: [] })),
+    { step: $homogeneous.step, settings: [0, 0.0002645833333333333, 0.1, 0.3, 4, 0, 0.0015, 0, 0.04, 444.2880000000001, 67717.69344000003, 4192827.6049920022, 89060441.84985606], states: 34 },
+    Promise.all([import("../predictors/kinematic/predictor.js"), import("../kinematic.js")]).then(([{ KinematicPredictor }, { COEFFICIENTS }]) => ({ step: KinematicPredictor.step, coefficients: COEFFICIENTS, settings: [], states: 273 })),
   ]);

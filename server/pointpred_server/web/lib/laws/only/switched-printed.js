@@ -3,7 +3,6 @@ import { HomogeneousDifferentiator } from "../differentiators/homogeneous.js";
 import { SwitchedPredictor } from "../predictors/switched.js";
 import * as $homogeneous from "../differentiators/homogeneous.js";
 import * as $switched from "../predictors/switched.js";
-import * as $stage from "../stage.js";
 export const REGISTRY = {
   GAINS: { gain_lambda: 48, gain_xi: 1.6, alpha: 0 },
   PREDICTORS: { "switched-printed": { differentiator: "homogeneous", preset: { gain_lambda: 5, gain_xi: 2, alpha: -0.2, threshold: 0.2, bound: 0.1 }, load: async () => SwitchedPredictor } },
@@ -11,6 +10,6 @@ export const REGISTRY = {
 };
 export const loadStages = () =>
   Promise.all([
-    { step: $homogeneous.step, fill: $homogeneous.fill, settle: $homogeneous.settle, settings: 17, learned: 0, states: 30, values: [0, 96, 0.1, 0.3, 4, 5, 2, -0.2, 0.0015] },
-    { step: $switched.step, fill: $stage.copy_values, settings: 4, learned: 0, states: 1413, values: [0.2, 0.1, 0.1, 10000] },
+    { step: $homogeneous.step, settings: [0, 0.0002645833333333333, 0.1, 0.3, 4, -0.2, 0.0015, 0, 0.045, 75, 1750, 15000, 40000], states: 34 },
+    { step: $switched.step, settings: [0.2, 0.1, 0.1, 10000], states: 1413 },
   ]);
