@@ -85,5 +85,5 @@ def test_what_the_person_took_is_known_after_the_predictor_has_changed(page: Int
     page.visitor.reach((40, 40), (42, 41), 0.1, paced=True)
     page.settle()
     assert page.value(PREDICTOR) == "kinematic-adaptive"
-    share = "measured('{}').share"
+    share = "[...trackers.values()][0].share(document.getElementById('{}'))"
     assert page.value(share.format("goal")) > 1.5 * page.value(share.format("other"))
