@@ -7,7 +7,7 @@ import { contact } from "../laws/targets/prefetch.js";
 import { claimed, REMAINING_S } from "../prediction/row.js";
 import { Entry } from "./entry.js";
 import { ledger } from "./registration.js";
-import { Shares } from "./shares.js";
+import { HIGHLIGHTING, Shares } from "./shares.js";
 
 const A_FRAME = 8; // elements measured in a frame without a scroll, besides the likely ones
 const LIKELY = 0.02; // an element of this share is measured in each frame
@@ -140,7 +140,7 @@ export class Tracker {
   async #loadHighlights() {
     const { Highlights } = await import("./highlights.js"),
       { signal } = this.#stop;
-    if (!signal.aborted) this.#highlights = new Highlights(this, signal);
+    if (!signal.aborted) this.#highlights = new Highlights(this, HIGHLIGHTING, signal);
   }
 
   /** Calls `use` with the highlights: if any are asked for, once they are loaded. */
