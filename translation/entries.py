@@ -155,7 +155,8 @@ def _entry(entry: Entry) -> str:
     offered = f"inPage({name}, loadStages)"
     if entry.name == RECOMMENDED:
         lines.append(f'import {{ loadStages as loadFirst }} from "../laws/only/{FIRST}.js";')
-        offered = f"({{ ...{offered}, first: inPage({json.dumps(FIRST)}, loadFirst) }})"
+        lines.append('import { smallFirst } from "../intent/small-first.js";')
+        offered = f"smallFirst(inPage({json.dumps(FIRST)}, loadFirst), {offered})"
     if _learns_places(entry):
         lines.append('import { onPlaceWith } from "../intent/places.js";')
     lines += ["", f"const OFFER = {{ of: () => {offered} }};", EXPORTS.format(name=name).strip()]

@@ -9,26 +9,26 @@ pytestmark = browser.needed
 
 WHEN_IDLE = "window.requestIdleCallback = (done) => { window.isIdle = done; }"
 LOADED = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.js'))"
-PREDICTOR = "[...trackers.values()][0].source.predictor"
+PREDICTOR = "[...trackers.values()][0].source.opened?.predictor"
 WATCH = (
     "watch(box('goal', 600, 500), { predictor: undefined, once: false }); register(box('other', 100, 500))"
 )
 
 SOURCE = """
-Promise.all(["source", "page-source", "usual-stages"].map((name) => `intent/${name}`)
+Promise.all(["source", "page-source", "small-first", "usual-stages"].map((name) => `intent/${name}`)
   .concat("prediction/build", "laws/registry")
   .map((name) => import(`/pointpred/${name}.js`)))
-  .then(async ([{ Source }, { inPage }, { usualStages }, { build }, { REGISTRY }]) => {
+  .then(async ([{ Source }, { inPage }, { smallFirst }, { usualStages }, { build }, { REGISTRY }]) => {
     const predictorOf = (name) => inPage(name, () => usualStages(REGISTRY, name));
-    const first = predictorOf("minimum-jerk"), said = [];
-    const source = new Source({ ...predictorOf("kinematic-adaptive"), first });
-    while (source.predictor === null) await new Promise((done) => setTimeout(done, 5));
+    const said = [];
+    const source = new Source(smallFirst(predictorOf("minimum-jerk"), predictorOf("kinematic-adaptive")));
+    while (source.opened === null) await new Promise((done) => setTimeout(done, 5));
     const pipelines = { small: await build("minimum-jerk"), learned: await build("kinematic-adaptive") };
     const add = (number, i) => {
       const u = i / 50, row = [number + i / 100, 100 + 700 * u * u * (3 - 2 * u), 50, NaN, NaN, 0];
       const answer = String(source.add(row, i === 0));
       const same = Object.entries(pipelines).filter(([, one]) => String(one.advance(row)) === answer);
-      return [source.predictor, ...same.map(([name]) => name)];
+      return [source.opened.predictor, ...same.map(([name]) => name)];
     };
     for (let i = 0; i < 30; i += 1) said.push(add(1, i));
     isIdle();

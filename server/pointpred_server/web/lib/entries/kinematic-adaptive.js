@@ -5,9 +5,10 @@ import { onIntentWith, registerWith } from "../intent/register.js";
 import { assemble } from "../prediction/assembly.js";
 import { loadStages, REGISTRY } from "../laws/only/kinematic-adaptive.js";
 import { loadStages as loadFirst } from "../laws/only/minimum-jerk.js";
+import { smallFirst } from "../intent/small-first.js";
 import { onPlaceWith } from "../intent/places.js";
 
-const OFFER = { of: () => ({ ...inPage("kinematic-adaptive", loadStages), first: inPage("minimum-jerk", loadFirst) }) };
+const OFFER = { of: () => smallFirst(inPage("minimum-jerk", loadFirst), inPage("kinematic-adaptive", loadStages)) };
 export const onIntent = /* @__PURE__ */ onIntentWith(OFFER);
 export const register = /* @__PURE__ */ registerWith(OFFER);
 export const prefetchLink = /* @__PURE__ */ prefetchLinkWith(onIntent);

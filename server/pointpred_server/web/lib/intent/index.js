@@ -14,6 +14,7 @@ import { inPage } from "./page-source.js";
 import { onPlaceWith } from "./places.js";
 import { prefetchLinkWith } from "./prefetch-link.js";
 import { onIntentWith, registerWith } from "./register.js";
+import { smallFirst } from "./small-first.js";
 import { usualStages } from "./usual-stages.js";
 
 /** @type {import("./register.js").Offer} */
@@ -22,8 +23,8 @@ const OFFER = {
   choices: { predictor: Object.keys(REGISTRY.PREDICTORS) },
   of({ predictor, service }) {
     if (service !== undefined) return served(predictor, service);
-    const first = predictor === RECOMMENDED ? inPage("minimum-jerk", loadFirst) : undefined;
-    return { ...inPage(predictor, () => usualStages(REGISTRY, predictor)), first };
+    const chosen = inPage(predictor, () => usualStages(REGISTRY, predictor));
+    return predictor === RECOMMENDED ? smallFirst(inPage("minimum-jerk", loadFirst), chosen) : chosen;
   },
 };
 
