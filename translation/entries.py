@@ -92,7 +92,7 @@ def _fields(parameters: Iterable[Parameter], indent: str) -> Iterable[str]:
 
 
 def _registry(entry: Entry) -> str:
-    """What `build` needs, and apart from it what `onIntent` needs: no parameters, and nothing that fills a memory.
+    """What `build` needs, and apart from it what `onIntent` needs: neither parameters nor what fills a memory.
 
     With coefficients a predictor is loaded when it is needed, with them; without, it is there at once.
     """
@@ -136,7 +136,7 @@ def _stage(stage: type[CompiledStage], entry: Entry) -> str:
 
 
 def _memory(stage: type[CompiledStage], entry: Entry) -> str:
-    """The memory of a stage with the usual values: the numbers that it begins with, and how many follow, all zero."""
+    """The memory of a stage with the usual values: what it begins with, and how many zeros follow."""
     given = GAINS | entry.preset
     own = {one.name for one in stage.parameters} & given.keys()
     memory = np.frombuffer(stage(**{name: given[name] for name in own}).remembered())

@@ -17,8 +17,8 @@ from tests.server.page_browser import Visitor
 pytestmark = browser.needed
 
 COMPARE = """
-Promise.all(["intent/page-source", "intent/usual-stages", "prediction/build", "laws/registry", "laws/only/NAME"]
-  .map((name) => import(`/pointpred/${name}.js`)))
+Promise.all(["intent/page-source", "intent/usual-stages", "prediction/build", "laws/registry"]
+  .concat("laws/only/NAME").map((name) => import(`/pointpred/${name}.js`)))
   .then(async ([{ inPage }, { usualStages }, { build }, { REGISTRY }, { loadStages }]) => {
     const load = ALONE ? loadStages : () => usualStages(REGISTRY, "NAME");
     const [small, whole] = await Promise.all([inPage("NAME", load).open(), build("NAME")]);
