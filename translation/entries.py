@@ -92,7 +92,7 @@ def _fields(parameters: Iterable[Parameter], indent: str) -> Iterable[str]:
 
 
 def _registry(entry: Entry) -> str:
-    """What `build` needs, and apart from it what `onIntent` needs: no parameters, nothing that fills a memory.
+    """What `build` needs, and apart from it what `onIntent` needs: neither parameters nor `fill`.
 
     With coefficients a predictor is loaded when it is needed, with them; without, it is there at once.
     """
