@@ -6,13 +6,16 @@ import json
 from collections.abc import Iterable
 from pathlib import Path
 
+import numpy as np
+
 from pointpred.differentiators import DIFFERENTIATORS
 from pointpred.parameter import Parameter
 from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, Entry
 from pointpred.stage import CompiledStage
 from pointpred.targets.aim import Aim
-from translation.names import path_of
-from translation.stages import LOAD_COEFFICIENTS, object_text
+from translation.expressions import number
+from translation.names import alias, path_of, qualified
+from translation.stages import COEFFICIENTS, LOAD_COEFFICIENTS, laws_of, object_text
 
 FIRST = "minimum-jerk"
 """Predicts until the recommended one is loaded: it needs no coefficients."""
@@ -89,16 +92,27 @@ def _fields(parameters: Iterable[Parameter], indent: str) -> Iterable[str]:
 
 
 def _registry(entry: Entry) -> str:
-    """With coefficients a predictor is loaded when it is needed, with them; without, it is there at once."""
+    """What `build` needs, and apart from it what `onIntent` needs: neither parameters nor `fill`.
+
+    With coefficients a predictor is loaded when it is needed, with them; without, it is there at once.
+    """
     differentiator = DIFFERENTIATORS[entry.differentiator]
-    lines = [NOTE, _import(differentiator)]
+    at_once = [differentiator] if _needs_coefficients(entry) else [differentiator, entry.predictor]
+    laws = {laws_of(stage)["step"].module for stage in at_once}
+    lines = [NOTE, *map(_import, at_once)]
+    lines += [f'import * as {alias(module)} from "../{path_of(module)}";' for module in sorted(laws)]
     if _needs_coefficients(entry):
-        path = path_of(entry.predictor.__module__)
-        load = f'() => import("../{path}").then((one) => one.{entry.predictor.__name__})'
+        path, kind = path_of(entry.predictor.__module__), entry.predictor.__name__
+        load = f'() => import("../{path}").then((one) => one.{kind})'
         own = f"load: {load}, coefficients: {LOAD_COEFFICIENTS.replace('./', '../')}"
+        predictor = (
+            f'Promise.all([import("../{path}"), import("../{COEFFICIENTS}")]).then('
+            f"([{{ {kind} }}, {{ COEFFICIENTS }}]) => "
+            f"({{ step: {kind}.step, coefficients: COEFFICIENTS, {_memory(entry.predictor, entry)} }}))"
+        )
     else:
-        lines.append(_import(entry.predictor))
         own = f"load: async () => {entry.predictor.__name__}"
+        predictor = _stage(entry.predictor, entry)
     preset = f"preset: {object_text(entry.preset)}, " if entry.preset else ""
     source = json.dumps(entry.differentiator)
     lines += [
@@ -107,8 +121,28 @@ def _registry(entry: Entry) -> str:
         f"  PREDICTORS: {{ {json.dumps(entry.name)}: {{ differentiator: {source}, {preset}{own} }} }},",
         f"  DIFFERENTIATORS: {{ {source}: {{ load: async () => {differentiator.__name__} }} }},",
         "};",
+        "export const loadStages = () =>",
+        "  Promise.all([",
+        f"    {_stage(differentiator, entry)},",
+        f"    {predictor},",
+        "  ]);",
     ]
     return "\n".join(lines) + "\n"
+
+
+def _stage(stage: type[CompiledStage], entry: Entry) -> str:
+    """The law of a stage, and the memory that it begins with."""
+    return f"{{ step: {qualified(laws_of(stage)['step'])}, {_memory(stage, entry)} }}"
+
+
+def _memory(stage: type[CompiledStage], entry: Entry) -> str:
+    """The memory of a stage with the usual values: what it begins with, and how many zeros follow."""
+    given = GAINS | entry.preset
+    own = {one.name for one in stage.parameters} & given.keys()
+    memory = np.frombuffer(stage(**{name: given[name] for name in own}).remembered())
+    first = np.trim_zeros(memory, "b")
+    numbers = ", ".join(number(float(value)).text for value in first)
+    return f"settings: [{numbers}], states: {len(memory) - len(first)}"
 
 
 def _import(stage: type[CompiledStage]) -> str:
@@ -117,11 +151,12 @@ def _import(stage: type[CompiledStage]) -> str:
 
 def _entry(entry: Entry) -> str:
     name = json.dumps(entry.name)
-    lines = [NOTE, CORE, f'import {{ REGISTRY }} from "../laws/only/{entry.name}.js";']
-    offered = f"inPage(REGISTRY, {name})"
+    lines = [NOTE, CORE, f'import {{ loadStages, REGISTRY }} from "../laws/only/{entry.name}.js";']
+    offered = f"inPage({name}, loadStages)"
     if entry.name == RECOMMENDED:
-        lines.append(f'import {{ REGISTRY as OF_FIRST }} from "../laws/only/{FIRST}.js";')
-        offered = f"({{ ...{offered}, first: inPage(OF_FIRST, {json.dumps(FIRST)}) }})"
+        lines.append(f'import {{ loadStages as loadFirst }} from "../laws/only/{FIRST}.js";')
+        lines.append('import { smallFirst } from "../intent/small-first.js";')
+        offered = f"smallFirst(inPage({json.dumps(FIRST)}, loadFirst), {offered})"
     if _learns_places(entry):
         lines.append('import { onPlaceWith } from "../intent/places.js";')
     lines += ["", f"const OFFER = {{ of: () => {offered} }};", EXPORTS.format(name=name).strip()]

@@ -10,7 +10,7 @@ START = """Promise.all(["index", "register", "keyboard", "scroll"]
   .map((name) => import(`/pointpred/intent/${name}.js`))).then(([module, { trackers }]) => {
   Object.assign(window, module, { trackers });
   window.ready = () => Promise.all([...trackers.values()].map(({ ready }) => ready));
-  window.measured = (id) => [...trackers.values()].flatMap(({ view }) => view.elements)
+  window.measured = (id) => [...trackers.values()].flatMap(({ shares }) => shares.entries)
     .find(({ element }) => element.id === id);
   window.heard = [];
   window.stops = {};

@@ -29,6 +29,16 @@ def test_a_highlight_ends_when_the_movement_turns_to_another(page: IntentPage) -
     assert begun == []
 
 
+def test_what_the_page_chooses_before_highlights_are_loaded_is_highlighted(page: IntentPage) -> None:
+    loaded = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('highlights.js'))"
+    page.make("watch(box('plain', 100, 500))")
+    assert page.value(loaded) is False
+    page.make("watch(box('goal', 600, 500), { policy: 'highlight' }); goal.focus()")
+    page.wait("said().length > 0")
+    page.value("goal.blur()")
+    assert page.said() == ["goal focus", "goal ended"]
+
+
 def test_a_prefetch_is_not_withdrawn(page: IntentPage) -> None:
     page.make("watch(box('west', 100, 500)); watch(box('east', 800, 500))")
     for start, end in [((500, 100), (850, 530)), ((850, 530), (150, 530)), ((150, 530), (150, 300))]:

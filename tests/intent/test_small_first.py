@@ -9,25 +9,26 @@ pytestmark = browser.needed
 
 WHEN_IDLE = "window.requestIdleCallback = (done) => { window.isIdle = done; }"
 LOADED = "performance.getEntriesByType('resource').some(({ name }) => name.endsWith('kinematic.js'))"
-PREDICTOR = "[...trackers.values()][0].view.predictor"
+PREDICTOR = "[...trackers.values()][0].source.opened?.predictor"
 WATCH = (
     "watch(box('goal', 600, 500), { predictor: undefined, once: false }); register(box('other', 100, 500))"
 )
 
 SOURCE = """
-Promise.all(["source", "page-source"].map((name) => `intent/${name}`)
+Promise.all(["source", "page-source", "small-first", "usual-stages"].map((name) => `intent/${name}`)
   .concat("prediction/build", "laws/registry")
   .map((name) => import(`/pointpred/${name}.js`)))
-  .then(async ([{ Source }, { inPage }, { build }, { REGISTRY }]) => {
-    const first = inPage(REGISTRY, "minimum-jerk"), said = [];
-    const source = new Source({ ...inPage(REGISTRY, "kinematic-adaptive"), first });
-    while (source.predictor === null) await new Promise((done) => setTimeout(done, 5));
+  .then(async ([{ Source }, { inPage }, { smallFirst }, { usualStages }, { build }, { REGISTRY }]) => {
+    const predictorOf = (name) => inPage(name, () => usualStages(REGISTRY, name));
+    const said = [];
+    const source = new Source(smallFirst(predictorOf("minimum-jerk"), predictorOf("kinematic-adaptive")));
+    while (source.opened === null) await new Promise((done) => setTimeout(done, 5));
     const pipelines = { small: await build("minimum-jerk"), learned: await build("kinematic-adaptive") };
     const add = (number, i) => {
       const u = i / 50, row = [number + i / 100, 100 + 700 * u * u * (3 - 2 * u), 50, NaN, NaN, 0];
       const answer = String(source.add(row, i === 0));
       const same = Object.entries(pipelines).filter(([, one]) => String(one.advance(row)) === answer);
-      return [source.predictor, ...same.map(([name]) => name)];
+      return [source.opened.predictor, ...same.map(([name]) => name)];
     };
     for (let i = 0; i < 30; i += 1) said.push(add(1, i));
     isIdle();
@@ -84,5 +85,5 @@ def test_what_the_person_took_is_known_after_the_predictor_has_changed(page: Int
     page.visitor.reach((40, 40), (42, 41), 0.1, paced=True)
     page.settle()
     assert page.value(PREDICTOR) == "kinematic-adaptive"
-    share = "measured('{}').share"
+    share = "[...trackers.values()][0].share(document.getElementById('{}'))"
     assert page.value(share.format("goal")) > 1.5 * page.value(share.format("other"))

@@ -17,10 +17,11 @@ from tests.server.page_browser import Visitor
 pytestmark = browser.needed
 
 COMPARE = """
-Promise.all(["intent/page-source", "prediction/build", "laws/registry"]
-  .map((name) => import(`/pointpred/${name}.js`)))
-  .then(async ([{ inPage }, { build }, { REGISTRY }]) => {
-    const [small, whole] = await Promise.all([inPage(REGISTRY, "NAME").open(), build("NAME")]);
+Promise.all(["intent/page-source", "intent/usual-stages", "prediction/build", "laws/registry"]
+  .concat("laws/only/NAME").map((name) => import(`/pointpred/${name}.js`)))
+  .then(async ([{ inPage }, { usualStages }, { build }, { REGISTRY }, { loadStages }]) => {
+    const load = ALONE ? loadStages : () => usualStages(REGISTRY, "NAME");
+    const [small, whole] = await Promise.all([inPage("NAME", load).open(), build("NAME")]);
     const different = [];
     let claims = 0;
     for (let i = 0; i < 400; i += 1) {
@@ -35,9 +36,10 @@ Promise.all(["intent/page-source", "prediction/build", "laws/registry"]
   })"""
 
 
+@pytest.mark.parametrize("alone", [True, False], ids=["alone", "of all"])
 @pytest.mark.parametrize("name", REGISTRY)
-def test_the_source_of_a_page_predicts_what_build_does(page: IntentPage, name: str) -> None:
-    claims, different = page.value(COMPARE.replace("NAME", name))
+def test_the_source_of_a_page_predicts_what_build_does(page: IntentPage, name: str, alone: bool) -> None:
+    claims, different = page.value(COMPARE.replace("NAME", name).replace("ALONE", json.dumps(alone)))
     assert claims > 70, "some claim nothing before the peak of the speed"
     assert different == 0
 

@@ -5,22 +5,14 @@ import { inPage } from "../../server/pointpred_server/web/lib/intent/page-source
 import { answer, given } from "./given.mjs";
 
 const counting = (wrong) => ({
-  parameters: [],
-  settings: 0,
-  learned: 0,
+  settings: [],
   states: 1,
-  fill() {},
   step(memory, row) {
     if (row[1] === wrong) return [NaN];
     memory[0] += 1;
     return [...row, memory[0]];
   },
 });
-const registry = {
-  GAINS: {},
-  DIFFERENTIATORS: { counting: { load: async () => counting(2) } },
-  PREDICTORS: { counting: { differentiator: "counting", load: async () => counting(1) } },
-};
 const { rows } = await given(),
-  source = await inPage(registry, "counting").open();
+  source = await inPage("counting", async () => [counting(2), counting(1)]).open();
 answer(rows.map((row) => source.add(row)?.slice(2) ?? null));

@@ -1,7 +1,6 @@
 // Elements that are followed: which of them are in view, and when they may have moved.
 
 const IDLE_MS = 250; // elements are measured this often while the pointer rests
-const ACTIVE_MS = 500; // and every frame for this long after an event
 
 /** Knows which elements are in view, and reports before a frame is drawn when any may have moved. */
 export class Elements {
@@ -13,7 +12,6 @@ export class Elements {
   #signal;
   #frame = false;
   #scrolled = false;
-  #activeUntil = 0;
   #sizes;
   #views;
 
@@ -58,12 +56,6 @@ export class Elements {
     this.schedule();
   }
 
-  /** The pointer moves: every frame is reported for a while. */
-  activate() {
-    this.#activeUntil = performance.now() + ACTIVE_MS;
-    if (this.inView.size) this.schedule();
-  }
-
   /** Reports a possible change before the next frame is drawn, once; a hidden page draws no frames. */
   schedule() {
     if (this.#frame || this.#signal.aborted) return;
@@ -74,7 +66,6 @@ export class Elements {
       const scrolled = this.#scrolled;
       this.#scrolled = false;
       this.#onFrame(scrolled);
-      if (this.inView.size && performance.now() < this.#activeUntil) this.schedule();
     };
     if (document.hidden) setTimeout(report, 0);
     else requestAnimationFrame(report);

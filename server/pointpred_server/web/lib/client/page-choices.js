@@ -83,10 +83,9 @@ export class PageChoices {
   #update(timeStamp, { under = this.#under, focused = this.#focused }) {
     const arrives = this.#under === null && under !== null; // for the service, the first event of a pointer enters nothing
     [this.#under, this.#focused] = [under, focused];
-    this.#choose("entered", "entered", this.#closest(under), timeStamp / 1000, this.#detectsEntry || arrives);
-    this.#choose("focus", "focus", this.#closest(focused), timeStamp / 1000);
-    for (const [finger, element] of [...this.#fingers])
-      this.#choose(`touch ${finger}`, "touch", this.#closest(element), timeStamp / 1000);
+    this.#choose("entered", under, timeStamp, this.#detectsEntry || arrives);
+    this.#choose("focus", focused, timeStamp);
+    for (const [finger, element] of [...this.#fingers]) this.#choose(`touch ${finger}`, element, timeStamp);
   }
 
   /** A finger touches an element, or is lifted (null); it counts for the element it came down on until then. */
@@ -101,17 +100,16 @@ export class PageChoices {
     ]) {
       if (touched) this.#fingers.set(finger, touched);
       else this.#fingers.delete(finger);
-      this.#choose(`touch ${finger}`, "touch", this.#closest(touched), timeStamp / 1000);
+      this.#choose(`touch ${finger}`, touched, timeStamp);
     }
   }
 
-  #closest(element) {
-    return closest(element, this.#idOf);
-  }
-
-  /** Sets the target of a source; `begins` false: only if the target is already proposed. */
-  #choose(source, reason, target, t, begins = true) {
-    const before = this.#current.get(source);
+  /** Sets the element of a source, such as "touch 2"; `begins` false: only if its target is already proposed. */
+  #choose(source, element, timeStamp, begins = true) {
+    const target = closest(element, this.#idOf),
+      before = this.#current.get(source),
+      [reason] = source.split(" "),
+      t = timeStamp / 1000;
     if (before?.id === target?.id) return;
     this.#current.delete(source);
     const chosen = target !== null && (begins || this.#proposals.has(target.id));

@@ -2,6 +2,8 @@
 
 import { Elements } from "./elements.js";
 
+const ACTIVE_MS = 500; // elements are measured every frame for this long after an event
+
 let unnamed = 0;
 
 /** Knows where the targets are, and reports when they may have moved. */
@@ -10,6 +12,7 @@ export class Targets {
   #offset;
   #ids = new Map();
   #elements;
+  #activeUntil = 0;
 
   /**
    * @param {import("../pointpred.js").Target[]} rectangles
@@ -18,7 +21,11 @@ export class Targets {
    */
   constructor(rectangles, { offset, onChange, signal }) {
     [this.#rectangles, this.#offset] = [rectangles, offset];
-    this.#elements = new Elements({ onFrame: onChange, signal });
+    const onFrame = (scrolled) => {
+      onChange(scrolled);
+      if (performance.now() < this.#activeUntil) this.#scheduleSeen();
+    };
+    this.#elements = new Elements({ onFrame, signal });
   }
 
   /** Replaces the rectangles; observed elements stay. @param {import("../pointpred.js").Target[]} rectangles */
@@ -55,7 +62,12 @@ export class Targets {
 
   /** The pointer moves: elements are measured every frame for a while. */
   activate() {
-    this.#elements.activate();
+    this.#activeUntil = performance.now() + ACTIVE_MS;
+    this.#scheduleSeen();
+  }
+
+  #scheduleSeen() {
+    if (this.#elements.inView.size) this.#elements.schedule();
   }
 
   /** Where every target is now. @returns {import("../pointpred.js").Target[]} */

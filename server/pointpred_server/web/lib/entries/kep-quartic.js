@@ -3,9 +3,9 @@ import { inPage } from "../intent/page-source.js";
 import { prefetchLinkWith } from "../intent/prefetch-link.js";
 import { onIntentWith, registerWith } from "../intent/register.js";
 import { assemble } from "../prediction/assembly.js";
-import { REGISTRY } from "../laws/only/kep-quartic.js";
+import { loadStages, REGISTRY } from "../laws/only/kep-quartic.js";
 
-const OFFER = { of: () => inPage(REGISTRY, "kep-quartic") };
+const OFFER = { of: () => inPage("kep-quartic", loadStages) };
 export const onIntent = /* @__PURE__ */ onIntentWith(OFFER);
 export const register = /* @__PURE__ */ registerWith(OFFER);
 export const prefetchLink = /* @__PURE__ */ prefetchLinkWith(onIntent);

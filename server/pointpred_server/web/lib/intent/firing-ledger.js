@@ -1,7 +1,6 @@
 // The ledger of what fired: the callbacks of registered elements, and which of these were used.
 
-const MOST_LEADS = 1000;
-const MOST_NAMES = 500; // names beyond are counted in the totals only
+const MOST_KEPT = 1000;
 
 /**
  * What the page's own function returns. Its error, also of a promise that it returns, is logged unless something else takes
@@ -18,22 +17,15 @@ export function attempt(call, onError = reportError) {
   }
 }
 
-/**
- * Counts of one name, or of all; `leads`: from firing to use, s, of the newest hits.
- * @returns {{withheld: number, withdrawn: number, leads: number[], reasons: Object<string, {fired: number, hit: number}>}}
- */
-const nothing = () => ({ withheld: 0, withdrawn: 0, leads: [], reasons: {} });
-
-/** Counts the firings of registered elements, and which of these were used. */
+/** Tells of the firings of registered elements, and which of these were used. */
 export class FiringLedger {
-  all = nothing();
-  /** @type {Map<string, ReturnType<typeof nothing>>} */ names = new Map();
   #open = new WeakMap();
   #listeners = new Set();
+  #count = (entry) => this.#keep(entry);
+  #kept = [];
 
   /** @param {import("./registration.js").Registration} registration @param {import("../index.d.ts").Firing} firing */
   fire(registration, firing) {
-    for (const counts of this.#countsOf(registration)) reasonOf(counts, firing).fired += 1;
     const subject = registration.subject();
     this.#open.set(subject, (this.#open.get(subject) ?? new Map()).set(registration, firing));
     this.#tell("fired", registration, firing);
@@ -41,13 +33,11 @@ export class FiringLedger {
 
   /** A firing that is not made, to save data. */
   withhold(registration, cause) {
-    for (const counts of this.#countsOf(registration)) counts.withheld += 1;
     this.#tell("withheld", registration, cause);
   }
 
-  /** A highlight has ended; whether the element was activated meanwhile is already counted. */
+  /** A highlight has ended; whether the element was activated meanwhile is already told. */
   withdraw(registration, firing, t) {
-    for (const counts of this.#countsOf(registration)) counts.withdrawn += 1;
     this.#open.get(registration.subject())?.delete(registration);
     this.#tell("withdrawn", registration, { ...firing, t });
   }
@@ -57,15 +47,8 @@ export class FiringLedger {
     const subject = activated.subject(),
       open = this.#open.get(subject);
     this.#open.delete(subject);
-    for (const [registration, firing] of open ?? []) {
-      const lead_s = Math.max(0, t - firing.t);
-      for (const counts of this.#countsOf(registration)) {
-        reasonOf(counts, firing).hit += 1;
-        counts.leads.push(lead_s);
-        if (counts.leads.length > MOST_LEADS) counts.leads.shift();
-      }
-      this.#tell("hit", registration, { ...firing, t, lead_s });
-    }
+    for (const [registration, firing] of open ?? [])
+      this.#tell("hit", registration, { ...firing, t, lead_s: Math.max(0, t - firing.t) });
   }
 
   /** Calls `listener` with each entry from now on. @param {(entry: import("../index.d.ts").LedgerEntry) => void} listener @returns {() => void} */
@@ -74,16 +57,20 @@ export class FiringLedger {
     return () => this.#listeners.delete(listener);
   }
 
-  #countsOf({ name }) {
-    if (!name) return [this.all];
-    if (!this.names.has(name) && this.names.size < MOST_NAMES) this.names.set(name, nothing());
-    return this.names.has(name) ? [this.all, this.names.get(name)] : [this.all];
+  /** Calls `count` with each entry, first with those that were kept for it. @param {(entry: import("../index.d.ts").LedgerEntry) => void} count */
+  countWith(count) {
+    this.#count = count;
+    this.#kept.splice(0).forEach(count);
+  }
+
+  /** What nothing counts yet; elements are not held. */
+  #keep(entry) {
+    if (this.#kept.push({ ...entry, element: null }) > MOST_KEPT) this.#kept.shift();
   }
 
   #tell(kind, { element, name, options: { policy } }, { reason, p, score, threshold, t, lead_s = null }) {
     const entry = { kind, element, name, policy, reason, p, score, threshold, t, lead_s };
+    this.#count(entry);
     for (const listener of this.#listeners) attempt(() => listener(entry));
   }
 }
-
-const reasonOf = ({ reasons }, { reason }) => (reasons[reason] ??= { fired: 0, hit: 0 });

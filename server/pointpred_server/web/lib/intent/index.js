@@ -8,12 +8,14 @@
  * each is loaded when it is needed.
  */
 
-import { REGISTRY as OF_FIRST } from "../laws/only/minimum-jerk.js";
+import { loadStages as loadFirst } from "../laws/only/minimum-jerk.js";
 import { RECOMMENDED, REGISTRY } from "../laws/registry.js";
 import { inPage } from "./page-source.js";
 import { onPlaceWith } from "./places.js";
 import { prefetchLinkWith } from "./prefetch-link.js";
 import { onIntentWith, registerWith } from "./register.js";
+import { smallFirst } from "./small-first.js";
+import { usualStages } from "./usual-stages.js";
 
 /** @type {import("./register.js").Offer} */
 const OFFER = {
@@ -21,8 +23,8 @@ const OFFER = {
   choices: { predictor: Object.keys(REGISTRY.PREDICTORS) },
   of({ predictor, service }) {
     if (service !== undefined) return served(predictor, service);
-    const first = predictor === RECOMMENDED ? inPage(OF_FIRST, "minimum-jerk") : undefined;
-    return { ...inPage(REGISTRY, predictor), first };
+    const chosen = inPage(predictor, () => usualStages(REGISTRY, predictor));
+    return predictor === RECOMMENDED ? smallFirst(inPage("minimum-jerk", loadFirst), chosen) : chosen;
   },
 };
 

@@ -1,24 +1,22 @@
-// Predictions made in the page by a predictor of a registry, with the values that the registry has for it.
+// Predictions made in the page, with the usual values of all parameters.
 // `build` gives the same predictions; it also checks values of one's own, restores persons and says why an event is refused.
 
 import { isRefused } from "../prediction/row.js";
 
 /**
- * @param {import("../prediction/assembly.js").Registry} registry @param {string} name of it
- * @returns {import("./source.js").Predictor} what it still needs is loaded when it is opened
+ * The law of a stage.
+ * @typedef {{step: Function, settings: ArrayLike<number>, states: number, coefficients?: Float64Array}} Stage `settings`: what its memory begins
+ *   with; `states`: how many numbers follow, all zero
  */
-export const inPage = (registry, name) => ({ name, open: () => open(registry, name) });
 
-async function open({ DIFFERENTIATORS, GAINS, PREDICTORS }, name) {
-  const { differentiator: law, preset, load, coefficients: loadCoefficients } = PREDICTORS[name];
-  const [ofMotion, ofEndpoint, coefficients] = await Promise.all([
-    DIFFERENTIATORS[law].load(),
-    load(),
-    loadCoefficients?.(),
-  ]);
-  const values = { ...GAINS, ...preset, cpi: null, dpi: 96 };
-  const differentiator = stageOf(ofMotion, values);
-  const predictor = stageOf(ofEndpoint, values, coefficients);
+/**
+ * @param {string} name @param {() => Promise<Stage[]>} loadStages the differentiator and the predictor
+ * @returns {import("./source.js").Predictor} it is loaded when it is opened
+ */
+export const inPage = (name, loadStages) => ({ name, open: () => open(loadStages) });
+
+async function open(loadStages) {
+  const [differentiator, predictor] = (await loadStages()).map(begin);
   const before = differentiator.memory.slice();
   return {
     add(row) {
@@ -34,12 +32,9 @@ async function open({ DIFFERENTIATORS, GAINS, PREDICTORS }, name) {
   };
 }
 
-/** A law and a memory of its own. */
-function stageOf({ parameters, step, fill, settle, ...kind }, values, coefficients) {
-  const settings = Float64Array.from(parameters, ({ name, default: usual, absent }) => values[name] ?? usual ?? absent);
-  const [first, learned, states] = kind.sizes?.(settings) ?? [kind.settings, kind.learned, kind.states];
-  const memory = new Float64Array(first + learned + states);
-  fill(settings, memory);
-  settle?.(memory);
+/** A law and a memory of its own. @param {Stage} stage */
+function begin({ step, settings, states, coefficients }) {
+  const memory = new Float64Array(settings.length + states);
+  memory.set(settings);
   return { memory, step: (row) => step(memory, row, coefficients) };
 }

@@ -48,7 +48,7 @@ export class Registration {
     if (this.#callback === null || this.firing?.policy === "highlight") return false;
     if (this.#withheld && isReduced()) return false;
     if (policy === "prefetch" && this.#firedIn === visit) return false;
-    if (this.#firedAt !== -Infinity && once && t - this.#firedAt < again_s) return false;
+    if (once && t - this.#firedAt < again_s) return false;
     return typeof enabled === "function" ? Boolean(attempt(() => enabled(this.element), this.#fail)) : enabled;
   }
 

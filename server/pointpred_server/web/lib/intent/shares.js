@@ -6,13 +6,13 @@ import { decide, likeliest, USUAL } from "../laws/targets/decision.js";
 import * as heading from "../laws/targets/heading.js";
 import { FITTED_NONE, FITTED_PAGES } from "../laws/targets/posterior.js";
 import * as prefetch from "../laws/targets/prefetch.js";
-import { CENTRE_X, CENTRE_Y, HEIGHT, NOBODY, WIDTH } from "../laws/targets/rectangles.js";
-import { REMAINING_S, UNPREDICTED } from "../prediction/row.js";
+import { CENTRE_X, CENTRE_Y, HEIGHT, WIDTH } from "../laws/targets/rectangles.js";
+import { UNPREDICTED } from "../prediction/row.js";
 
-const odds = (p) => p / (1 - p);
+/** What highlights are decided by: loaded with what is there already. */
+export const HIGHLIGHTING = { decide, likeliest, innermost, KEEP, USUAL, FITTED_NONE };
 const USUAL_ELEMENTS = 8; // of so many registered elements it is assumed that nearly every movement is for one of them
 const MOST_ELSEWHERE = 0.7; // and that this share is for something else where hardly any are registered
-const [, LEAST_LEAD_S, LEAST_WAY_PX] = USUAL;
 const LEARNS = 1;
 const SETTINGS = Float64Array.from(prefetch.FITTED);
 const ROUNDING = 1; // px that sums may err by, and far more
@@ -38,22 +38,20 @@ export class Shares {
   /** In the order of the table. @type {import("./entry.js").Entry[]} */ entries = [];
   /** The newest row of a prediction. */ answer = UNPREDICTED;
   /** Counts movements. */ movement = 0;
+  /** Counts how often the button was released. */ releases = 0;
+  /** How often none of the elements is meant; not learned, since the policies are fitted with it. */ elsewhere =
+    heading.ELSEWHERE;
+  /** Whether the cursor is in the rectangle of each element. */ inside = new Float64Array(0);
   #memory = new Float64Array(heading.LENGTH);
-  #cursor = this.#memory.subarray(heading.CURSOR, heading.CURSOR + STATES);
+  /** What the laws remember of the cursor. */ state = this.#memory.subarray(heading.CURSOR, heading.CURSOR + STATES);
   #targets;
-  #standing = NOBODY;
   #movements = new Float64Array(prefetch.STATES);
-  #elsewhere = heading.ELSEWHERE; // how often none of the elements is meant; not learned, since the policies are fitted with it
   #prefetches = false; // whether any element asks for it
-  #highlights = false;
-  #lessSure = 1; // highlights use higher prior odds that the movement is for no registered element: by this factor
 
   // of each element:
-  #inside = new Float64Array(0); // whether the cursor is in its rectangle
   #thresholds; // of prefetches
   #visits; // how likely the cursor goes through it
   #fired; // in this movement
-  #lit; // its share as highlights take it
 
   constructor() {
     this.replace([]);
@@ -61,37 +59,35 @@ export class Shares {
 
   /** When the newest event was, s, and where, px. @returns {{t: number, x: number, y: number}} */
   get cursor() {
-    const { [T]: t, [X]: x, [Y]: y } = this.#cursor;
+    const { [T]: t, [X]: x, [Y]: y } = this.state;
     return { t, x, y };
   }
 
-  get #table() {
+  /** The rows of the elements. @returns {Float64Array[]} */
+  get table() {
     return this.#targets[0];
   }
 
-  get #shares() {
+  /** The share of each element, and last that of none of them. @returns {Float64Array} */
+  get all() {
     return this.#targets[3];
   }
 
   /** Takes other elements; what is known of those that stay is kept. @param {import("./entry.js").Entry[]} entries */
   replace(entries) {
     const inside = new Map(
-      this.entries.map((entry, i) => [entry, this.#inside[i] === ENTERED ? INSIDE : this.#inside[i]]),
+      this.entries.map((entry, i) => [entry, this.inside[i] === ENTERED ? INSIDE : this.inside[i]]),
     );
-    const standing = this.entries[this.#standing],
-      memory = this.#memory;
+    const memory = this.#memory;
     this.entries.forEach((entry, i) => {
       entry.fired = this.#fired[i];
     });
     this.entries = entries;
-    this.#inside = Float64Array.from(entries, (entry) => inside.get(entry) ?? OUTSIDE);
+    this.inside = Float64Array.from(entries, (entry) => inside.get(entry) ?? OUTSIDE);
     this.#thresholds = Float64Array.from(entries, ({ prefetchFrom }) => Math.min(prefetchFrom, NEVER));
     this.#prefetches = entries.some(({ prefetchFrom }) => prefetchFrom < Infinity);
-    this.#highlights = entries.some(({ highlightFrom }) => highlightFrom < Infinity);
     this.#visits = new Float64Array(entries.length);
     this.#fired = Float64Array.from(entries, ({ fired }) => fired);
-    this.#lit = new Float64Array(entries.length);
-    this.#standing = standing ? entries.indexOf(standing) : NOBODY; // -1 where it is gone
     const seen = entries.filter(({ isHidden }) => !isHidden),
       total = seen.reduce((sum, { weight }) => sum + weight, 0);
     const own = Float64Array.from(entries, ({ isHidden, weight }) => (isHidden ? -Infinity : Math.log(weight / total)));
@@ -101,22 +97,21 @@ export class Shares {
       entries.map(({ number, kind }) => [number, numberOf(kind)]),
       new Float64Array(entries.length + 1),
     ];
-    this.#elsewhere = Math.max(heading.ELSEWHERE, MOST_ELSEWHERE * (1 - seen.length / USUAL_ELEMENTS));
-    memory.set([this.#elsewhere, LEARNS]);
-    this.#lessSure = odds(FITTED_NONE) / odds(this.#elsewhere);
+    this.elsewhere = Math.max(heading.ELSEWHERE, MOST_ELSEWHERE * (1 - seen.length / USUAL_ELEMENTS));
+    memory.set([this.elsewhere, LEARNS]);
     heading.begin(memory, this.#targets);
-    if (this.#cursor[KNOWN] === 1) this.weigh(this.answer);
+    if (this.state[KNOWN] === 1) this.weigh(this.answer);
   }
 
   /** The share of the element at a place of the table. @param {number} place */
   share(place) {
-    return this.#shares[place] ?? 0;
+    return this.all[place] ?? 0;
   }
 
   /** The places of the elements of at least this share. @param {number} least */
   likely(least) {
     const found = [];
-    for (let i = 0; i < this.entries.length; i += 1) if (this.#shares[i] >= least) found.push(i);
+    for (let i = 0; i < this.entries.length; i += 1) if (this.all[i] >= least) found.push(i);
     return found;
   }
 
@@ -127,10 +122,10 @@ export class Shares {
    * @returns {{entry: import("./entry.js").Entry, x: number, y: number}[]} the elements whose rectangles they have entered, in turn, and where
    */
   follow(rows, use) {
-    const cursor = this.#cursor,
+    const cursor = this.state,
       near = this.#near(rows),
-      table = near.map((i) => this.#table[i]),
-      inside = Float64Array.from(near, (i) => this.#inside[i]),
+      table = near.map((i) => this.table[i]),
+      inside = Float64Array.from(near, (i) => this.inside[i]),
       entered = [];
     for (const row of rows) {
       const [t, x, y, , , buttons] = row,
@@ -141,14 +136,14 @@ export class Shares {
       const released = cursor[PRESSED] > pressed;
       heading.follow(this.#memory, row, this.#targets);
       this.movement += Number(begun);
-      if (released) this.#standing = NOBODY;
+      this.releases += Number(released);
       if (enter(table, inside, x, y, released) > 0)
         near.forEach((i, place) => {
           if (inside[place] === ENTERED) entered.push({ entry: this.entries[i], x, y });
         });
     }
     near.forEach((i, place) => {
-      this.#inside[i] = inside[place];
+      this.inside[i] = inside[place];
     });
     return entered;
   }
@@ -157,8 +152,8 @@ export class Shares {
   #near(rows) {
     const [x, across] = spanOf(rows, ROW_X),
       [y, down] = spanOf(rows, ROW_Y);
-    const table = this.#table,
-      inside = this.#inside,
+    const table = this.table,
+      inside = this.inside,
       near = [];
     for (let i = 0; i < table.length; i += 1) {
       const row = table[i],
@@ -172,7 +167,7 @@ export class Shares {
   /** Computes the shares. @param {number[]|null} answer the row of the newest prediction, null for none */
   weigh(answer) {
     this.answer = answer ?? UNPREDICTED;
-    this.#memory[heading.NONE] = this.#elsewhere;
+    this.#memory[heading.NONE] = this.elsewhere;
     heading.weigh(this.#memory, this.answer, this.#targets, FITTED_PAGES);
   }
 
@@ -181,10 +176,10 @@ export class Shares {
     if (!this.#prefetches) return [];
     const { entries } = this,
       fired = this.#fired;
-    this.#movements.set(this.#cursor);
-    const targets = [this.#table, this.#thresholds, this.#visits, fired];
-    if (prefetch.step(this.#movements, targets, this.#shares, SETTINGS) === 0) return [];
-    const expected = prefetch.expect(this.#cursor[X], this.#cursor[Y], this.#table, this.#visits, this.#shares);
+    this.#movements.set(this.state);
+    const targets = [this.table, this.#thresholds, this.#visits, fired];
+    if (prefetch.step(this.#movements, targets, this.all, SETTINGS) === 0) return [];
+    const expected = prefetch.expect(this.state[X], this.state[Y], this.table, this.#visits, this.all);
     const found = [];
     for (let i = 0; i < entries.length; i += 1)
       if (fired[i] === prefetch.PREDICTED)
@@ -194,44 +189,9 @@ export class Shares {
 
   /** What a threshold is compared with, as a probability. */
   #scoreOf(i, expected) {
-    const share = this.#shares[i],
-      row = this.#table[i];
+    const share = this.all[i],
+      row = this.table[i];
     const logOdds = prefetch.score(this.#movements, row, share, this.#visits[i], expected, SETTINGS);
     return 1 / (1 + Math.exp(-logOdds));
-  }
-
-  /** The element to highlight because the movement heads for it, if there is one. @returns {import("./entry.js").Entry|undefined} */
-  headedFor() {
-    if (!this.#highlights) return undefined;
-    const { entries } = this,
-      shares = this.#shares,
-      lit = this.#lit,
-      total = 1 + (this.#lessSure - 1) * shares[entries.length];
-    for (let i = 0; i < lit.length; i += 1) lit[i] = shares[i] / total;
-    const best = likeliest(lit, entries.length),
-      ask = entries[best]?.highlightFrom ?? 1,
-      keep = KEEP * (entries[this.#standing]?.highlightFrom ?? ask);
-    this.#standing = decide(this.#cursor, this.#table, lit, this.#standing, this.answer[REMAINING_S], [
-      ask,
-      keep,
-      LEAST_LEAD_S,
-      LEAST_WAY_PX,
-    ]);
-    return entries[this.#standing];
-  }
-
-  /** The probability that the threshold of the element to highlight is compared with. */
-  get litScore() {
-    return this.#lit[this.#standing] ?? 0;
-  }
-
-  /** The innermost element whose rectangle the cursor is in, if there is one. @returns {import("./entry.js").Entry|undefined} */
-  enclosing() {
-    return this.entries[innermost(this.#table, this.#inside)];
-  }
-
-  /** The pointer is elsewhere: nothing is headed for. */
-  rest() {
-    this.#standing = NOBODY;
   }
 }

@@ -41,7 +41,7 @@ function begin() {
     panel.note(entry);
   });
   let frame = requestAnimationFrame(function draw() {
-    picture.draw([...trackers.values()].map(({ view }) => view));
+    picture.draw([...trackers.values()].map(({ shares }) => shares));
     panel.update(ledger());
     frame = requestAnimationFrame(draw);
   });
@@ -72,8 +72,8 @@ class Picture {
     });
   }
 
-  /** @param {object[]} views of the trackers */
-  draw(views) {
+  /** @param {import("../shares.js").Shares[]} followed what each knows of its elements */
+  draw(followed) {
     const { canvas } = this,
       context = this.#context,
       ratio = devicePixelRatio;
@@ -83,14 +83,14 @@ class Picture {
     context.clearRect(0, 0, innerWidth, innerHeight);
     context.font = "600 11px system-ui, sans-serif";
     const colours = Object.fromEntries(this.samples.map((one) => [one.className, getComputedStyle(one).color]));
-    for (const { elements, cursor, answer } of views) {
-      for (const one of elements) if (!one.isHidden) this.#drawElement(one, colours);
-      this.#drawPrediction(cursor, answer, colours.ahead);
+    for (const shares of followed) {
+      shares.entries.forEach((one, i) => one.isHidden || this.#drawElement(one, shares.share(i), colours));
+      this.#drawPrediction(shares.cursor, shares.answer, colours.ahead);
     }
     for (const [element, { until }] of this.#notes) if (until < performance.now()) this.#notes.delete(element);
   }
 
-  #drawElement({ element, row: [x, y, width, height], registrations, share }, colours) {
+  #drawElement({ element, row: [x, y, width, height], registrations }, share, colours) {
     const context = this.#context,
       firings = [...registrations].map(({ firing }) => firing);
     const state = firings.some((one) => one?.policy === "highlight") ? "lit" : firings.some(Boolean) ? "fired" : "idle";
