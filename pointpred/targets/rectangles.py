@@ -106,7 +106,7 @@ def table(targets: Sequence[Target]) -> FloatArray:
     >>> table([Target("a", 0.0, 0.0, 20.0, 10.0)]).tolist()
     [[10.0, 5.0, 20.0, 10.0, 0.0]]
     """
-    if not isinstance(targets, Sequence) or isinstance(targets, str):
+    if not isinstance(targets, Sequence):
         raise ParameterError(f"targets must be a sequence of Target, received {targets!r}", field="targets")
     if len(targets) > MOST_TARGETS:
         raise ParameterError(f"at most {MOST_TARGETS} targets, received {len(targets)}")

@@ -15,6 +15,7 @@ import pytest
 from pointpred.simulation import hand
 from tests.hosts import Silent, file_host, host
 from tests.intent import npm
+from tests.intent.packed import LIB
 from tests.server import browser
 
 PAGE = """<!doctype html><title>a page</title><body style="margin: 0">
@@ -136,7 +137,7 @@ console.log(JSON.stringify(told));
 def test_a_webdriver_is_given_the_whole_movement_as_actions(tmp_path: Path) -> None:
     """What is sent over the protocol. ``test_chromedriver`` has a real browser."""
     for room in ("human", "laws"):
-        (tmp_path / room).symlink_to(npm.LIB / room)
+        (tmp_path / room).symlink_to(LIB / room)
     npm.write(tmp_path, {"use.mjs": WEBDRIVER, "package.json": '{ "type": "module" }'})
     remote = type("Recording", (Remote,), {"asked": []})
     with host(remote) as origin:

@@ -285,7 +285,7 @@ def test_a_person_of_which_half_is_damaged_changes_nothing() -> None:
         pipeline.person = f"{PERSON}+"
 
 
-@pytest.mark.parametrize("wrong", [None, "ab", 5])
+@pytest.mark.parametrize("wrong", [None, 5, {1}])
 def test_targets_that_are_no_sequence_are_refused(wrong: object) -> None:
     with pytest.raises(ParameterError, match="sequence of Target"):
         build("minimum-jerk").register(wrong)  # type: ignore[arg-type]
