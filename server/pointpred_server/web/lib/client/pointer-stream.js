@@ -1,6 +1,6 @@
 // The pointer events of an element: every coalesced sample of the primary pointer, in the order of time.
 
-const AHEAD_MS = 100; // an event that is stamped later than this has a clock of its own
+const AHEAD_MS = 10_000; // an event stamped so much later than now has a clock of its own
 const LAG_S = 0.002; // a dispatch that spans more comes from a page that lags behind
 
 /** Listens to pointer events and passes them on as rows. */
