@@ -129,9 +129,6 @@ def test_a_person_who_took_targets_in_the_page_is_known_in_python() -> None:
 @pytest.mark.parametrize("wrong", ["+1.x", "1.x+", "+", "a+b+c"])
 def test_a_person_with_wrong_targets_is_refused_as_in_python(wrong: str) -> None:
     found = node.run("predict.mjs", {"name": "kinematic", "options": {"person": wrong}, "steps": ["person"]})
-    if wrong == "+":
-        assert found == [build("kinematic", person=wrong).person] == [""]
-        return
     with pytest.raises(ParameterError) as refused:
         build("kinematic", person=wrong)
     assert (found["error"], found["field"]) == ("ParameterError", refused.value.field)

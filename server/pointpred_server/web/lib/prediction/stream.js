@@ -133,7 +133,8 @@ export class PredictionStream {
       const pipeline = this.#inWindow(await pipelineOf(changed));
       const [own, ofTargets] = this.#pipeline.person.split("+");
       if (pipeline.name === this.#pipeline.name && pipeline.portable) pipeline.restore(own);
-      if (ofTargets) pipeline.aim.restore(ofTargets);
+      const { aim } = pipeline; // from now on it follows the cursor
+      if (ofTargets) aim.restore(ofTargets);
       if (this.#tracker) pipeline.register(this.#tracker.targets);
       this.#goOnWith(pipeline);
     }
