@@ -17,7 +17,7 @@ REST = ("page/page.js", "lib/intent/page-source.js")
 """Every view, and what `onIntent` begins with."""
 REGISTRY_MODULE = "lib/laws/registry.js"
 IMPORT = re.compile(r'^(?:import|export) (?:[^;"]*? from )?"(\.[^"]+)"', re.MULTILINE)
-LOADED = re.compile(r'"([\w-]+)": \{[^\n]*?import\("(\.[^"]+)"\)')
+LATER = re.compile(r'import\("(\.[^"]+)"\)')
 REPOSITORY = "https://github.com/pointpred/pointpred"
 """Where the page's links to documents and source lead."""
 CHARSET = '<meta charset="utf-8">'
@@ -52,9 +52,10 @@ def _links() -> tuple[str, ...]:
 
 def _modules() -> list[str]:
     """The modules that the page needs, those of its first prediction first, by their paths in the folder."""
-    loaded = dict(LOADED.findall((WEB / REGISTRY_MODULE).read_text(encoding="utf-8")))
-    stages = (RECOMMENDED, REGISTRY[RECOMMENDED].differentiator)
-    roots = [*FIRST, *(_beside(REGISTRY_MODULE, loaded[name]) for name in stages), *REST]
+    stages = (f'  "{RECOMMENDED}": ', f'  "{REGISTRY[RECOMMENDED].differentiator}": ')
+    lines = (WEB / REGISTRY_MODULE).read_text(encoding="utf-8").splitlines()
+    loaded = [path for line in lines if line.startswith(stages) for path in LATER.findall(line)]
+    roots = [*FIRST, *(_beside(REGISTRY_MODULE, path) for path in loaded), *REST]
     found: dict[str, None] = {}
     for root in roots:
         waiting = [root]
