@@ -8,6 +8,8 @@ import pytest
 
 from tests.intent import npm
 
+pytestmark = pytest.mark.slow  # packages of npm take longest; `make frameworks` runs it
+
 CONFIG = """{
   "compilerOptions": {
     "strict": true, "noEmit": true, "skipLibCheck": true, "target": "es2022", "module": "esnext",
