@@ -22,7 +22,7 @@ from contextlib import contextmanager
 from functools import partial
 from http.server import SimpleHTTPRequestHandler
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from evidence import ROOT
 from evidence.arguments import parse
@@ -199,9 +199,9 @@ class Slow(Silent, SimpleHTTPRequestHandler):
 
     protocol_version = "HTTP/1.1"
 
-    def __init__(self, *given: object, asked: list[str], latency_s: float, directory: str) -> None:
+    def __init__(self, *given: Any, asked: list[str], latency_s: float, directory: str) -> None:
         self.asked, self.latency_s = asked, latency_s
-        super().__init__(*given, directory=directory)  # type: ignore[arg-type]
+        super().__init__(*given, directory=directory)
 
     def do_GET(self) -> None:
         """Answer a request."""
