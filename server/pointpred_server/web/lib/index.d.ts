@@ -218,16 +218,8 @@ export interface LedgerSummary extends Counts {
   names: Record<string, Counts>;
 }
 
-export interface LedgerEntry {
+export interface LedgerEntry extends Omit<Firing, "remaining_s" | "signal"> {
   kind: "fired" | "hit" | "withheld" | "withdrawn";
-  element: Element;
-  name: string;
-  policy: "prefetch" | "highlight";
-  reason: Reason;
-  p: number;
-  score: number | null;
-  threshold: number | null;
-  t: number;
   /** Of a hit. */
   lead_s: number | null;
 }
