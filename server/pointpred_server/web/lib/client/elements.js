@@ -12,7 +12,6 @@ export class Elements {
   #signal;
   #frame = false;
   #scrolled = false;
-  #sizes;
   #views;
 
   /**
@@ -22,7 +21,6 @@ export class Elements {
    */
   constructor({ onFrame, onView = () => {}, signal }) {
     [this.#onFrame, this.#onView, this.#signal] = [onFrame, onView, signal];
-    this.#sizes = new ResizeObserver(() => this.schedule());
     this.#views = new IntersectionObserver((entries) => this.#setInView(entries));
     const scroll = () => {
       this.#scrolled = true;
@@ -34,7 +32,6 @@ export class Elements {
     const timer = setInterval(() => this.inView.size && this.schedule(), IDLE_MS);
     signal.addEventListener("abort", () => {
       clearInterval(timer);
-      this.#sizes.disconnect();
       this.#views.disconnect();
     });
   }
@@ -42,7 +39,6 @@ export class Elements {
   /** Begins to follow an element; once more changes nothing. @param {Element} element */
   observe(element) {
     this.#followed.add(element);
-    this.#sizes.observe(element);
     this.#views.observe(element);
     this.schedule();
   }
@@ -51,7 +47,6 @@ export class Elements {
   unobserve(element) {
     this.#followed.delete(element);
     this.inView.delete(element);
-    this.#sizes.unobserve(element);
     this.#views.unobserve(element);
     this.schedule();
   }

@@ -8,7 +8,7 @@ export const REMAINING_S = 6;
 export const UNPREDICTED = Array(10).fill(NaN);
 
 /** Whether the answer to an event says that it was refused. @param {number[]} answer */
-export const isRefused = ([t]) => t !== t;
+export const isRefused = (answer) => answer[0] !== answer[0];
 
 /** A number of a row; null where it is not claimed. @param {number} value @returns {number|null} */
 export const claimed = (value) => (value === value ? value : null);
