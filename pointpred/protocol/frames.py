@@ -73,7 +73,7 @@ _pack_prediction = _struct_of(PREDICTED).pack
 Frame = str | bytes
 
 
-class Aim(NamedTuple):
+class Likeliest(NamedTuple):
     """What the registered targets make of a prediction.
 
     ``place`` of the one that is likeliest of all among them, NOBODY where none of them is; ``likely``: the
@@ -108,7 +108,7 @@ def pack_events(table: FloatArray) -> bytes:
 
 
 def pack_predictions(
-    table: FloatArray, aims: Sequence[Aim] | None = None, *, version: int = VERSION
+    table: FloatArray, aims: Sequence[Likeliest] | None = None, *, version: int = VERSION
 ) -> bytes:
     """The rows of ``PredictionColumns`` as records; ``aims``: that of each, in a session with targets."""
     none, alone = np.isnan(table[:, X]), np.isnan(table[:, SXX]) & ~np.isnan(table[:, TAIL])
@@ -191,7 +191,7 @@ def prediction_frames(
     binary: bool,
     each: bool,
     version: int = VERSION,
-    aims: Sequence[Aim] | None = None,
+    aims: Sequence[Likeliest] | None = None,
 ) -> tuple[list[Frame], int]:
     """The frames that answer events with these rows of predictions, and how many predictions they hold.
 
@@ -223,7 +223,7 @@ def prediction_text(row: Sequence[float]) -> str:
     return _text(encode(message_of(row)))
 
 
-def aimed_text(row: Sequence[float], aim: Aim) -> str:
+def aimed_text(row: Sequence[float], aim: Likeliest) -> str:
     """One row of predictions as JSON text, with its aim among the targets."""
     message = message_of(row)
     message.target, message.targets = aim.target, aim.likely

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from pointpred.protocol.frames import (
     EVENT,
     PREDICTION,
-    Aim,
+    Likeliest,
     aimed_text,
     message_of,
     pack_prediction,
@@ -60,7 +60,7 @@ def test_predictions_are_packed_as_struct_says(rows: list[tuple[float, ...]]) ->
     ]
     later = [struct.pack("<dh", math.nan if math.isnan(row[1]) else row[9], 7) for row in table.tolist()]
     wanted = b"".join(map(bytes.__add__, first, later))
-    assert pack_predictions(table, [Aim(7, [])] * len(table)) == wanted
+    assert pack_predictions(table, [Likeliest(7, [])] * len(table)) == wanted
     assert b"".join(pack_prediction(row, 7) for row in table.tolist()) == wanted
     assert pack_predictions(table, version=1) == b"".join(first)
     encode = row_encoder(binary=True, version=1)
@@ -81,6 +81,6 @@ def test_numbers_of_laws_that_run_as_plain_python_are_said_in_json() -> None:
 @given(st.tuples(*[st.floats(allow_nan=False)] * 7, phase, *[st.floats(allow_nan=False)] * 2))
 def test_a_message_has_every_number_of_its_row(row: tuple[float, ...]) -> None:
     assert same(row_of_prediction(message_of(row)), row)
-    text = json.loads(aimed_text(row, Aim(0, [Likely("a", 0.5)])))
+    text = json.loads(aimed_text(row, Likeliest(0, [Likely("a", 0.5)])))
     assert (text["target"], text["targets"]) == ("a", [{"id": "a", "p": 0.5}])
-    assert json.loads(aimed_text(row, Aim(-1, [Likely("a", 0.5)])))["target"] is None
+    assert json.loads(aimed_text(row, Likeliest(-1, [Likely("a", 0.5)])))["target"] is None

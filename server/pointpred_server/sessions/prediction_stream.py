@@ -26,7 +26,7 @@ from pointpred.protocol.client_messages import (
 )
 from pointpred.protocol.decoding import check_numbers
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.frames import Aim, prediction_frames, row_encoder
+from pointpred.protocol.frames import Likeliest, prediction_frames, row_encoder
 from pointpred.protocol.server_messages import ErrorMessage, Score
 from pointpred.records import EventColumns, FloatArray, PredictionColumns, Row, refusal
 from pointpred_server.sessions.assistance import Assistance
@@ -159,7 +159,7 @@ class PredictionStream:
             frames = [self.assistance.cursor(self._last_t), *frames]
         self._outbox.predict(frames, count)
 
-    def _follow(self, table: FloatArray) -> tuple[FloatArray, FloatArray, list[Aim] | None]:
+    def _follow(self, table: FloatArray) -> tuple[FloatArray, FloatArray, list[Likeliest] | None]:
         """The events as assistance moved the cursor, their predictions, what the targets make of each."""
         assistance, pipeline, tracker = self.assistance, self.pipeline, self.tracker
         if tracker is None and self.hello.places and self.place_tracker is None:

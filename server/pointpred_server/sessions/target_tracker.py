@@ -9,7 +9,7 @@ from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.protocol.client_messages import Goal, Rectangle
 from pointpred.protocol.errors import ProtocolError
-from pointpred.protocol.frames import Aim
+from pointpred.protocol.frames import Likeliest
 from pointpred.protocol.server_messages import ChoiceMessage, Likely
 from pointpred.targets import Choice, Chooser
 from pointpred.targets.rectangles import NOBODY
@@ -80,14 +80,14 @@ class TargetTracker:
         self._chooser.reset()
         self._last_t = None
 
-    def follow(self) -> Aim:
+    def follow(self) -> Likeliest:
         """Decide after the pipeline's last event; choices go into the outbox."""
         aim = self.pipeline.aim
         self._last_t = float(aim.cursor.t)
         self._announce(self._chooser.update())
         likely = [Likely(str(id), p) for id, p in aim.likeliest(LIKELIEST)]
         place = int(aim.shares.argmax())
-        return Aim(place if place < len(aim.ids) else NOBODY, likely)
+        return Likeliest(place if place < len(aim.ids) else NOBODY, likely)
 
     def _announce(self, choices: Sequence[Choice]) -> None:
         for id, p, action, reason, _ in choices:
