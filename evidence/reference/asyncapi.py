@@ -31,7 +31,14 @@ from pointpred.protocol.client_messages import (
     Targets,
     TrialMark,
 )
-from pointpred.protocol.frames import NO_COUNTS, PREDICTED, PREDICTION, Aim, pack_events, pack_predictions
+from pointpred.protocol.frames import (
+    NO_COUNTS,
+    PREDICTED,
+    PREDICTION,
+    Likeliest,
+    pack_events,
+    pack_predictions,
+)
 from pointpred.protocol.server_messages import (
     LIVE_MESSAGES,
     SERVER_MESSAGES,
@@ -316,7 +323,7 @@ def _messages() -> dict[str, Any]:
             "examples": [{"payload": msgspec.to_builtins(one)} for one in shown],
         }
     packed = pack_events(np.array(EVENT_ROWS))
-    rows, aims = np.array([PREDICTION_ROW, NO_PREDICTION_ROW]), [Aim(0, []), Aim(NOBODY, [])]
+    rows, aims = np.array([PREDICTION_ROW, NO_PREDICTION_ROW]), [Likeliest(0, []), Likeliest(NOBODY, [])]
     messages["binaryEvents"] = _binary(EVENTS.format(none=NO_COUNTS), EVENT_FIELDS, packed)
     phases = ", ".join(f"{code} {name}" for code, name in enumerate(PHASES))
     words = PREDICTIONS.format(phases=phases, nobody=NOBODY, first=PREDICTION[1].itemsize)
