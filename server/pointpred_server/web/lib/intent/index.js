@@ -28,7 +28,7 @@ const OFFER = {
   },
 };
 
-/** @returns {import("./source.js").Predictor} */
+/** @param {string} name @param {string} service @returns {import("./source.js").Predictor} */
 const served = (name, service) => ({
   name,
   service,

@@ -16,7 +16,10 @@ import { Stage } from "./stage.js";
 
 /**
  * All predictors, as `../laws/registry.js` has them, or one, as `../laws/only/` has each.
- * @typedef {{GAINS: Object<string, number>, PREDICTORS: Object<string, object>, DIFFERENTIATORS: Object<string, object>}} Registry
+ * @typedef {{differentiator: string, preset?: Object<string, number>, load: () => Promise<import("./stage.js").Kind>,
+ *   coefficients?: () => Promise<Float64Array>}} Entry of a predictor
+ * @typedef {{GAINS: Object<string, number>, PREDICTORS: Object<string, Entry>,
+ *   DIFFERENTIATORS: Object<string, {load: Entry["load"]}>}} Registry
  */
 
 /**

@@ -70,7 +70,7 @@ export class Ledger {
 
   /** The rows of the account, with room for so many more targets of this movement. @param {number} count */
   withRoom(count) {
-    const needed = Math.min(this.account.at(-1) + count, law.LATEST); // ids are the caller's
+    const needed = Math.min(/** @type {number} */ (this.account.at(-1)) + count, law.LATEST); // ids are the caller's
     while (this.#rows.length < needed) this.#rows.push(new Float64Array(law.FIELDS));
     return this.#rows;
   }
