@@ -57,7 +57,7 @@ def registry_texts() -> dict[str, str]:
 
 
 def types_text() -> str:
-    """The types of the registry: the names of predictors and the parameters of each."""
+    """The names of predictors and the parameters of each, as types."""
     shared = [*(one for kind in DIFFERENTIATORS.values() for one in kind.parameters), *Aim.parameters]
     lines = [
         NOTE,

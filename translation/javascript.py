@@ -29,7 +29,8 @@ class Law:
         body = function.body[1:] if ast.get_docstring(function) else function.body
         first = [renamed(name) for name in self._locals.declared_first()]
         lines = [*([f"let {', '.join(first)};"] if first else []), *self._block(body)]
-        self.text = "\n".join([f"export function {renamed(function.name)}({names}) {{", *_indent(lines), "}"])
+        head = f"export function {renamed(function.name)}({names}) {{"
+        self.text = "\n".join([*_types(function), head, *_indent(lines), "}"])
 
     def _check_arguments(self) -> None:
         arguments = self.function.args
@@ -228,6 +229,16 @@ def _written(target: ast.expr) -> Iterator[str]:
 
 def _names(node: ast.expr) -> Iterator[str]:
     return (one.id for one in ast.walk(node) if isinstance(one, ast.Name))
+
+
+def _types(function: ast.FunctionDef) -> list[str]:
+    """What a checker of types cannot infer: a tuple whose elements are of several types."""
+    match function.returns:
+        case ast.Subscript(value=ast.Name("tuple"), slice=ast.Tuple(elts=elements)):
+            words = ["boolean" if ast.unparse(one) == "bool" else "number" for one in elements]
+            return [f"/** @returns {{[{', '.join(words)}]}} */"] if len({*words}) > 1 else []
+        case _:
+            return []
 
 
 def _indent(lines: Iterable[str]) -> list[str]:

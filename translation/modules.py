@@ -48,7 +48,7 @@ def texts() -> dict[str, bytes]:
     files["messages.js"] = messages_text().encode()
     files["fields.js"] = fields_text().encode()
     files["descriptions.js"] = stages.descriptions_text().encode()
-    files["registry.d.ts"] = entries.types_text().encode()
+    files["parameters.d.ts"] = entries.types_text().encode()
     files |= {name: text.encode() for name, text in entries.registry_texts().items()}
     files["registry.js"] = stages.registry_text(pointpred.__version__).encode()
     files[stages.COEFFICIENTS] = coefficients_text(coefficient_file.read(coefficient_file.OWN)).encode()

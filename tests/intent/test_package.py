@@ -65,7 +65,7 @@ def test_each_predictor_has_an_entry_and_each_entry_types() -> None:
 
 def test_what_belongs_goes_with_it(tarball: Path) -> None:
     found = set(files(tarball))
-    assert {"index.js", "index.d.ts", "laws/kinematic.js", "laws/registry.d.ts", *SCRIPTS} <= found
+    assert {"index.js", "index.d.ts", "laws/kinematic.js", "laws/parameters.d.ts", *SCRIPTS} <= found
     assert {path.removeprefix("./") for name in TYPED for path in PACKAGE["exports"][name].values()} <= found
     rooms = {path.partition("/")[0] for path in found}
     assert rooms == {*PACKAGE["files"], "package.json", "LICENSE", "README.md"}

@@ -89,13 +89,13 @@ def test_what_a_pattern_or_a_function_ignores_is_left_out(page: IntentPage) -> N
         f"{LINK} link('a', 100, '/cart/add'); link('b', 350, '/b.html', {{ rel: 'nofollow' }});"
         "link('c', 600, '/c.html'); const errors = window.errors = [];"
         "link('d', 850, '/d.html');"
-        "const onError = ({ message }) => errors.push(message);"
+        "const onError = ({ message }, firing) => errors.push([message, firing === null]);"
         "prefetchLink('a', { predictor: 'minimum-jerk', onError, ignore: ["
         r"/\/cart\//, ({ rel }) => rel === 'nofollow', (link, { pathname }) => {"
         " if (pathname === '/d.html') throw new Error('mine'); return false; }] })"
     )
     assert cross(page, 150, 400, 650, 900) == ["/c.html"]
-    assert "mine" in page.value("errors"), "what cannot be judged is left out"
+    assert ["mine", True] in page.value("errors"), "what cannot be judged is left out, and no firing holds"
 
 
 def test_no_more_pages_than_the_limit_are_loaded(page: IntentPage) -> None:

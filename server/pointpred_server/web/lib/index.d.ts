@@ -1,6 +1,6 @@
 // Types of the npm package `pointpred`.
 
-import type { OwnParameters, PredictorName, SharedParameters } from "./laws/registry.js";
+import type { OwnParameters, PredictorName, SharedParameters } from "./laws/parameters.js";
 
 export type { PredictorName };
 

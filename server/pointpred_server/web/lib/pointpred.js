@@ -117,17 +117,19 @@ export class Connection {
   #targetCount = 0;
   #omitted = 0;
   #probabilities = [];
-  #pointer = null;
+  /** @type {PointerStream|null} */ #pointer = null;
   #targets;
   #person;
-  #window = null;
+  /** @type {{type: "enter", key: string, x: number, y: number}|null} */ #window = null;
   #newestTime = -Infinity;
   #eventAt = -Infinity;
   #paused = false;
   #scrolled = false; // s, ms; whether choices wait for an event
   #pageChoices;
   #serviceChoices;
-  #proposals = new Proposals((choice) => this.#emit("choice", this.#withElement(choice)));
+  /** @type {Proposals<Choice>} */ #proposals = new Proposals((choice) =>
+    this.#emit("choice", this.#withElement(choice)),
+  );
   #stop = new AbortController();
   #timer;
 
@@ -318,7 +320,7 @@ export class Connection {
    * @param {string} key "" is what it is without a name @param {number} [x] of the origin, px @param {number} [y]
    */
   enter(key, x = 0, y = 0) {
-    const message = { type: "enter", key, x, y };
+    const message = { type: /** @type {const} */ ("enter"), key, x, y };
     this.#unanswered = [];
     if (this.#canSend) this.#window = message;
     this.#sendMessage(message);
@@ -388,7 +390,7 @@ export class Connection {
     const message = await findRefusal(address);
     const trying = this.state === "waiting" || (this.state === "connecting" && !this.#socket.opened);
     if (this.#errorCode === "unauthorized" || !trying) return;
-    const reported = message !== null && this.#listeners.get("error").size > 0; // then the page shows it where it likes
+    const reported = message !== null && /** @type {Set<Function>} */ (this.#listeners.get("error")).size > 0; // then the page shows it where it likes
     if (!reported && (this.welcome === null || message !== null)) this.#warn(warningFor(address, message));
     if (message === null) return;
     this.#errorCode = "unauthorized";
@@ -412,7 +414,8 @@ export class Connection {
     if (message.type === "prediction")
       return this.#addPrediction({ region: null, phase: null, remaining_s: null, ...message });
     if (message.type === "choice") return this.#serviceChoices.receive(this.#withElement(message));
-    if (message.type === "person") return this.#person.receive(message.person, this.welcome.predictor);
+    if (message.type === "person")
+      return this.#person.receive(message.person, /** @type {Welcome} */ (this.welcome).predictor);
     if (message.type === "targets") this.#ids = this.#sentIds.shift() ?? [];
     if (message.type === "welcome") this.#beginSession(message);
     if (message.type === "error") this.#handleError(message);
@@ -501,7 +504,7 @@ export class Connection {
   }
 
   #sendRows(rows) {
-    const { limits } = this.welcome;
+    const { limits } = /** @type {Welcome} */ (this.welcome);
     this.#newestTime = rows.at(-1)[0];
     for (const { frame, last, count } of this.#socket.frames(rows, this.#settings.encoding, limits)) {
       if (this.#socket.bufferedAmount > MOST_BUFFERED) {
@@ -536,7 +539,7 @@ export class Connection {
   #keepAlive() {
     if (this.#canSend) this.#person.refresh(this.sent);
     if (this.state !== "open" || document.hidden) return;
-    if (performance.now() - this.#sentAt < (1000 * this.welcome.limits.idle_s) / 3) return;
+    if (performance.now() - this.#sentAt < (1000 * /** @type {Welcome} */ (this.welcome).limits.idle_s) / 3) return;
     this.#sendTargets(true);
   }
 
@@ -558,7 +561,7 @@ export class Connection {
   #sendTargets(always = false) {
     if (!this.#socket.hasSession) return false;
     const list = this.#targets.list(),
-      { text, omitted, count } = targetsFrame(list, this.welcome.limits);
+      { text, omitted, count } = targetsFrame(list, /** @type {Welcome} */ (this.welcome).limits);
     if (text === this.#sentTargets && !always) return false;
     [this.#sentTargets, this.#targetCount] = [text, count];
     if (count === 0) this.#probabilities = [];
@@ -579,7 +582,7 @@ export class Connection {
   }
 
   #emit(name, message) {
-    for (const listener of this.#listeners.get(name)) {
+    for (const listener of /** @type {Set<Function>} */ (this.#listeners.get(name))) {
       try {
         listener(message);
       } catch (error) {

@@ -30,7 +30,7 @@ const STATUS = {
 };
 const RETRY_MS = 2000;
 
-let current = null;
+/** @type {string} */ let current;
 
 const errors = new Map(); // by part: the message shown, and the text that it has replaced
 const attempts = new Map(); // by part: the newest attempt to open it
@@ -81,7 +81,7 @@ makeTabs(part("tabs"), (view, before) => {
 
 live.useRecordings(recordings);
 
-makePlaceSelect(part("place"));
+makePlaceSelect(/** @type {HTMLSelectElement} */ (part("place")));
 
 onPlace(() => {
   // the attached device is shown wherever predictions are made

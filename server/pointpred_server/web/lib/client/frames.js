@@ -51,10 +51,10 @@ const onGrid = (px) => Math.round(GRID * px) / GRID;
 
 /**
  * The message with all targets; the last ones are left out where the limits allow fewer.
- * @param {import("../pointpred.js").Target[]} targets @param {import("../pointpred.js").Limits} [limits]
+ * @param {import("../pointpred.js").Target[]} targets @param {Partial<import("../pointpred.js").Limits>} [limits]
  * @returns {{text: string, count: number, omitted: number}}
  */
-export function targetsFrame(targets, { max_targets: most, max_frame_bytes: bytes } = {}) {
+export function targetsFrame(targets, { max_targets: most, max_frame_bytes: bytes = Infinity } = {}) {
   const [head, tail] = ['{"type":"targets","targets":[', "]}"];
   const parts = [];
   let size = head.length + tail.length;

@@ -3,13 +3,30 @@
 const MOST_FINGERS = 16; // beyond that the oldest is forgotten: its end may never have been reported
 
 /**
+ * What the page chooses.
+ * @template Id
+ * @typedef {{type: "choice", id: Id, element: Element, p: number, action: "propose", t: number, reason: "entered"|"focus"|"touch"}} PageChoice
+ */
+
+/**
+ * What takes the choices.
+ * @template Id
+ * @typedef {{has: (id: Id) => boolean, begin: (source: string, choice: PageChoice<Id>) => void,
+ *   end: (source: string, id: Id, fields: {t: number}) => void}} Taker
+ */
+
+/**
  * The innermost observed element that contains one.
  * @template Id
  * @param {Element|null} element @param {(element: Element) => Id|undefined} idOf the id of an observed element
  * @returns {{id: Id, element: Element}|null}
  */
 export function closest(element, idOf) {
-  for (let one = element; one instanceof Element; one = one.parentElement ?? one.getRootNode().host) {
+  for (
+    let one = element;
+    one instanceof Element;
+    one = one.parentElement ?? /** @type {ShadowRoot} */ (one.getRootNode()).host
+  ) {
     const id = idOf(one);
     if (id !== undefined) return { id, element: one };
   }
@@ -20,20 +37,21 @@ export function closest(element, idOf) {
  * Proposes an observed element when it gets the keyboard focus or is touched. It also proposes one that the mouse enters,
  * but only while the service does not, or when the mouse comes from outside the page. An element that is proposed while the mouse is in it stays
  * proposed until the mouse leaves. Of nested elements the innermost counts.
+ * @template Id
  */
 export class PageChoices {
   #idOf;
   #proposals;
   #detectsEntry = true;
-  #under = null;
-  #focused = null;
+  /** @type {Element|null} */ #under = null;
+  /** @type {Element|null} */ #focused = null;
   #fingers = new Map();
   #current = new Map();
 
   /**
    * @param {EventTarget} element whose events are listened to
-   * @param {{pointer: boolean, idOf: (element: Element) => string|undefined, onLeave: () => void,
-   *   proposals: import("./proposals.js").Proposals, signal: AbortSignal}} options `idOf`: the id of an observed element;
+   * @param {{pointer: boolean, idOf: (element: Element) => Id|undefined, onLeave: () => void,
+   *   proposals: Taker<Id>, signal: AbortSignal}} options `idOf`: the id of an observed element;
    *   `onLeave`: the mouse goes where its moves are not reported, or the window loses the focus; `pointer` false: only focus counts
    */
   constructor(element, { pointer, idOf, onLeave, proposals, signal }) {
@@ -108,7 +126,7 @@ export class PageChoices {
   #choose(source, element, timeStamp, begins = true) {
     const target = closest(element, this.#idOf),
       before = this.#current.get(source),
-      [reason] = source.split(" "),
+      [reason] = /** @type {["entered"|"focus"|"touch"]} */ (source.split(" ")),
       t = timeStamp / 1000;
     if (before?.id === target?.id) return;
     this.#current.delete(source);

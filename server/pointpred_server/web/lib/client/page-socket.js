@@ -6,7 +6,7 @@ import { Retries } from "./retries.js";
 export class PageSocket {
   /** Whether the newest session was ever open: if not, its modules could not be loaded. */ opened = false;
   #handlers;
-  #session = null;
+  /** @type {import("../prediction/session.js").PageSession|null} */ #session = null;
   #attempt = 0;
   #waiting = [];
   #heard = [];
@@ -64,7 +64,9 @@ export class PageSocket {
 
   /** Events as they are sent: all of them at once. @param {import("../pointpred.js").EventRow[]} rows */
   frames(rows) {
-    return [{ frame: rows, last: rows.at(-1)[0], count: rows.length }];
+    return [
+      { frame: rows, last: /** @type {import("../pointpred.js").EventRow} */ (rows.at(-1))[0], count: rows.length },
+    ];
   }
 
   /** @param {string|import("../pointpred.js").EventRow[]} frame a message as JSON, or rows of events */

@@ -6,7 +6,7 @@ import { ellipse } from "../laws/regions.js";
  * The ellipse that holds the endpoint with probability `level`: centre and half axes in px, angle in radians from x to
  * the major axis (y down, as a canvas has it). Null where nothing is predicted, no region is claimed, or the ellipse is
  * too large for a finite number.
- * @param {import("../pointpred.js").Prediction|null|undefined} prediction @param {number} level in (0, 1); a RangeError otherwise
+ * @param {Pick<import("../pointpred.js").Prediction, "x"|"y"|"region">|null|undefined} prediction @param {number} level in (0, 1); a RangeError otherwise
  * @returns {import("../pointpred.js").Ellipse|null}
  */
 export function regionOf(prediction, level) {
@@ -18,5 +18,5 @@ export function regionOf(prediction, level) {
     region: { sxx, sxy, syy, tail },
   } = prediction;
   const [major, minor, angle] = ellipse(level, sxx, sxy, syy, tail ?? NaN);
-  return Number.isNaN(major) ? null : { x, y, major, minor, angle };
+  return Number.isNaN(major) ? null : { x, y: /** @type {number} */ (y), major, minor, angle };
 }

@@ -10,7 +10,10 @@ export class ServiceChoices {
   #pastUntil = -Infinity;
   #unconfirmed = new Map();
 
-  /** @param {import("./proposals.js").Proposals} proposals @param {import("./page-choices.js").PageChoices} page */
+  /**
+   * @param {import("./proposals.js").Proposals<import("../pointpred.js").Choice>} proposals
+   * @param {import("./page-choices.js").PageChoices<string>} page
+   */
   constructor(proposals, page) {
     [this.#proposals, this.#page] = [proposals, page];
   }

@@ -10,7 +10,7 @@ export class RetryingSocket {
   /** Whether the newest socket was ever open: if not, the service refused it or cannot be reached. */ opened = false;
   #address;
   #handlers;
-  #socket = null;
+  /** @type {WebSocket|null} */ #socket = null;
   #retries = new Retries();
 
   /**
@@ -33,7 +33,7 @@ export class RetryingSocket {
 
   /** Bytes that the browser still holds back. */
   get bufferedAmount() {
-    return this.#socket.bufferedAmount;
+    return /** @type {WebSocket} */ (this.#socket).bufferedAmount;
   }
 
   open() {
@@ -67,7 +67,7 @@ export class RetryingSocket {
 
   /** @param {string|ArrayBuffer} frame */
   send(frame) {
-    this.#socket.send(frame);
+    /** @type {WebSocket} */ (this.#socket).send(frame);
   }
 
   /** Calls `open` after a wait. @param {() => void} open */
@@ -84,7 +84,7 @@ export class RetryingSocket {
   close(farewell) {
     this.cancelRetry();
     const socket = this.#socket;
-    if (farewell && this.hasSession) socket.send(farewell);
+    if (farewell && this.hasSession) socket?.send(farewell);
     this.#socket = null;
     if (socket?.readyState === WebSocket.CONNECTING)
       socket.onopen = () => socket.close(1000); // closing it now would log an error

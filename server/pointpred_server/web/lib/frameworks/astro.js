@@ -23,7 +23,7 @@ document.addEventListener("astro:page-load", begin);
  * Prefetches links with `data-astro-prefetch`, or with `data-astro-prefetch="intent"`; with `prefetchAll` in Astro's own
  * options every link without another strategy.
  * @param {import("../index.d.ts").IntentOptions} [options] of `onIntent`
- * @returns {import("astro").AstroIntegration}
+ * @returns {{name: string, hooks: Object<string, (setup: any) => void>}} an `AstroIntegration`
  */
 export default function pointpred(options = {}) {
   return {

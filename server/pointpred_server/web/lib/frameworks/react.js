@@ -13,8 +13,8 @@ const BEFORE = { predicted: false, fired: false, p: 0, error: null };
  * @returns {(element: Element|null) => void} a ref
  */
 export function useIntent(callback, options) {
-  const given = useRef([callback, options]);
-  const registered = useRef(null);
+  const given = useRef(/** @type {[typeof callback, typeof options]} */ ([callback, options]));
+  const registered = useRef(/** @type {Registered|null} */ (null));
   useEffect(() => {
     given.current = [callback, options];
     registered.current?.update(callback, options);
@@ -45,8 +45,13 @@ export function useIntentState(callback, options) {
   return { ref, ...state };
 }
 
+/** @typedef {Pick<import("./react.d.ts").IntentProperties<"a">, "as"|"onIntent"|"options">} Properties */
+
 /** An element, `as` which (`"a"` by default), that calls `onIntent`; `options` as in `useIntent`, every other property goes to the element. */
-export const Intent = forwardRef(function Intent({ as = "a", onIntent, options, ...properties }, outer) {
+export const Intent = forwardRef(function Intent(
+  /** @type {Properties} */ { as = "a", onIntent, options, ...properties },
+  outer,
+) {
   const element = useRef(null);
   const register = useIntent(onIntent, options);
   const ref = useCallback((found) => {

@@ -4,6 +4,12 @@ import { onIntent } from "../intent/index.js";
 
 const named = (_, value) => (typeof value === "function" ? "a function" : value);
 
+/**
+ * @typedef {import("../index.d.ts").IntentCallback} IntentCallback
+ * @typedef {import("../index.d.ts").IntentOptions} IntentOptions
+ * @typedef {IntentCallback|(IntentOptions & {callback: IntentCallback})} Binding
+ */
+
 /** A registered element. Another callback is called from then on; other options register the element again. */
 export class Registered {
   #element;
@@ -11,12 +17,13 @@ export class Registered {
   #key = "";
   #stop = () => {};
 
-  /** @param {Element} element @param {import("../index.d.ts").IntentCallback} callback @param {object} [options] of `onIntent` */
+  /** @param {Element} element @param {IntentCallback} callback @param {IntentOptions} [options] of `onIntent` */
   constructor(element, callback, options) {
     this.#element = element;
     this.update(callback, options);
   }
 
+  /** @param {IntentCallback} callback @param {IntentOptions} [options] */
   update(callback, options = {}) {
     this.#newest = { ...options, callback };
     const key = JSON.stringify(options, named);
@@ -36,7 +43,10 @@ export class Registered {
   }
 }
 
-/** What a directive or an action is given: the callback itself, or the callback with options. */
+/**
+ * What a directive or an action is given: the callback itself, or the callback with options.
+ * @param {Binding} value @returns {[IntentCallback, IntentOptions?]}
+ */
 export function partsOf(value) {
   if (typeof value === "function") return [value];
   const { callback, ...options } = value;

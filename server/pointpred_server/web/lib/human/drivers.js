@@ -29,6 +29,7 @@ export class PageMouse {
   async play(reports) {
     const { mouse } = this.#page;
     const began = performance.now();
+    /** @type {Promise<unknown>} */
     let moves = Promise.resolve();
     let held = false;
     for (const { t, x, y, pressed } of reports) {

@@ -35,8 +35,9 @@ export class Entry {
     const options = [...this.registrations].map((one) => one.options);
     const lowest = (policy) =>
       Math.min(...[...this.registrations].filter((one) => one.follows(policy)).map((one) => one.options.threshold));
-    this.weight = Math.max(0, ...options.map(({ priority }) => priority));
-    [this.prefetchFrom, this.highlightFrom] = [lowest("prefetch"), lowest("highlight")];
+    /** @type {number} */ this.weight = Math.max(0, ...options.map(({ priority }) => priority));
+    /** @type {number} */ this.prefetchFrom = lowest("prefetch");
+    /** @type {number} */ this.highlightFrom = lowest("highlight");
     this.#slop = ["top", "right", "bottom", "left"].map((side) =>
       Math.max(0, ...options.map(({ hitSlop }) => hitSlop[side])),
     );
@@ -96,6 +97,6 @@ export class Entry {
   }
 
   #hit(x, y) {
-    return this.element.getRootNode().elementFromPoint?.(x, y) ?? null;
+    return /** @type {Partial<Document>} */ (this.element.getRootNode()).elementFromPoint?.(x, y) ?? null;
   }
 }

@@ -1,5 +1,12 @@
 // The ledger of what fired: the callbacks of registered elements, and which of these were used.
 
+/**
+ * @typedef {import("./registration.js").Registration} Registration
+ * @typedef {import("./tracker.js").Cause} Cause
+ * @typedef {import("../index.d.ts").Firing} Firing
+ * @typedef {import("../index.d.ts").LedgerEntry} LedgerEntry
+ */
+
 const MOST_KEPT = 1000;
 
 /**
@@ -24,25 +31,25 @@ export class FiringLedger {
   #count = (entry) => this.#keep(entry);
   #kept = [];
 
-  /** @param {import("./registration.js").Registration} registration @param {import("../index.d.ts").Firing} firing */
+  /** @param {Registration} registration @param {Firing} firing */
   fire(registration, firing) {
     const subject = registration.subject();
     this.#open.set(subject, (this.#open.get(subject) ?? new Map()).set(registration, firing));
     this.#tell("fired", registration, firing);
   }
 
-  /** A firing that is not made, to save data. */
+  /** A firing that is not made, to save data. @param {Registration} registration @param {Cause} cause */
   withhold(registration, cause) {
     this.#tell("withheld", registration, cause);
   }
 
-  /** A highlight has ended; whether the element was activated meanwhile is already told. */
+  /** A highlight has ended; whether the element was activated meanwhile is already told. @param {Registration} registration @param {Firing} firing @param {number} t s */
   withdraw(registration, firing, t) {
     this.#open.get(registration.subject())?.delete(registration);
     this.#tell("withdrawn", registration, { ...firing, t });
   }
 
-  /** The user activates the element of a registration, by a click or a key. @param {number} t s */
+  /** The user activates the element of a registration, by a click or a key. @param {Registration} activated @param {number} t s */
   activate(activated, t) {
     const subject = activated.subject(),
       open = this.#open.get(subject);
@@ -51,13 +58,13 @@ export class FiringLedger {
       this.#tell("hit", registration, { ...firing, t, lead_s: Math.max(0, t - firing.t) });
   }
 
-  /** Calls `listener` with each entry from now on. @param {(entry: import("../index.d.ts").LedgerEntry) => void} listener @returns {() => void} */
+  /** Calls `listener` with each entry from now on. @param {(entry: LedgerEntry) => void} listener @returns {() => void} */
   subscribe(listener) {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
 
-  /** Calls `count` with each entry, first with those that were kept for it. @param {(entry: import("../index.d.ts").LedgerEntry) => void} count */
+  /** Calls `count` with each entry, first with those that were kept for it. @param {(entry: LedgerEntry) => void} count */
   countWith(count) {
     this.#count = count;
     this.#kept.splice(0).forEach(count);
@@ -68,6 +75,7 @@ export class FiringLedger {
     if (this.#kept.push({ ...entry, element: null }) > MOST_KEPT) this.#kept.shift();
   }
 
+  /** @param {LedgerEntry["kind"]} kind @param {Registration} registration @param {Cause & {lead_s?: number|null}} cause */
   #tell(kind, { element, name, options: { policy } }, { reason, p, score, threshold, t, lead_s = null }) {
     const entry = { kind, element, name, policy, reason, p, score, threshold, t, lead_s };
     this.#count(entry);

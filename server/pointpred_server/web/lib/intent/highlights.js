@@ -5,7 +5,16 @@ import { Proposals } from "../client/proposals.js";
 const odds = (p) => p / (1 - p);
 const LATE_MS = 300; // a highlight ends so long after the pointer should have been there, if it has stopped
 
-/** The highlights of a tracker; loaded with the first registration that asks for one. */
+/**
+ * @typedef {import("./entry.js").Entry} Entry
+ * @typedef {{id: Entry, p: number, score?: number|null, t: number|null, reason: import("../index.d.ts").Reason|null, action: "propose"|"retract"}} Choice
+ *   `score`: what its threshold was compared with
+ */
+
+/**
+ * The highlights of a tracker; loaded with the first registration that asks for one.
+ * @extends {Proposals<Choice>}
+ */
 export class Highlights extends Proposals {
   #tracker;
   #laws;
@@ -98,6 +107,7 @@ export class Highlights extends Proposals {
     return now;
   }
 
+  /** @param {Choice} choice */
   #fire({ id: entry, action, reason, p, score, t }) {
     const tracker = this.#tracker;
     for (const one of entry.registrations) {

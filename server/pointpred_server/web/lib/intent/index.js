@@ -28,7 +28,7 @@ const OFFER = {
   },
 };
 
-/** @returns {import("./source.js").Predictor} */
+/** @param {string} name @param {string} service @returns {import("./source.js").Predictor} */
 const served = (name, service) => ({
   name,
   service,
@@ -37,9 +37,13 @@ const served = (name, service) => ({
 
 const build = async (options) => (await import("../prediction/build.js")).build(RECOMMENDED, options);
 
+/** @type {typeof import("../index.d.ts").onIntent} */
 export const onIntent = /* @__PURE__ */ onIntentWith(OFFER);
+/** @type {typeof import("../index.d.ts").register} */
 export const register = /* @__PURE__ */ registerWith(OFFER);
+/** @type {typeof import("../index.d.ts").prefetchLink} */
 export const prefetchLink = /* @__PURE__ */ prefetchLinkWith(onIntent);
+/** @type {typeof import("../index.d.ts").onPlace} */
 export const onPlace = /* @__PURE__ */ onPlaceWith(build);
 export { ledger, onLedger } from "./reports.js";
 

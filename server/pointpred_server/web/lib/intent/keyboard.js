@@ -12,13 +12,15 @@ const SEEN = { visibilityProperty: true, contentVisibilityAuto: false };
  * @returns {Element[]}
  */
 export function reached(from, backwards, most) {
-  const order = [...document.querySelectorAll(FOCUSABLE)].filter(({ tabIndex }) => tabIndex >= 0);
+  const order = [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(FOCUSABLE))].filter(
+    ({ tabIndex }) => tabIndex >= 0,
+  );
   const rank = ({ tabIndex }) => tabIndex || Infinity;
   if (order.some(({ tabIndex }) => tabIndex > 0))
     order.sort((one, other) => (rank(one) === rank(other) ? 0 : rank(one) - rank(other)));
   if (backwards) order.reverse();
   const found = [];
-  for (let i = order.indexOf(from) + 1; i < order.length && found.length < most; i += 1)
+  for (let i = order.indexOf(/** @type {HTMLElement} */ (from)) + 1; i < order.length && found.length < most; i += 1)
     if (isReachable(order[i])) found.push(order[i]);
   return found;
 }

@@ -11,7 +11,7 @@ export class Later {
   #tracker;
   #signal;
   #ahead;
-  #near = null;
+  /** @type {NearView|null} */ #near = null;
 
   /**
    * @param {import("./tracker.js").Tracker} tracker @param {AbortSignal} signal
@@ -25,7 +25,7 @@ export class Later {
   /** An area of an image has no box of its own: what is seen of it is the image. @param {import("./entry.js").Entry} entry */
   showArea(entry) {
     const { areas, elements } = this.#tracker,
-      { element } = entry,
+      element = /** @type {HTMLAreaElement} */ (entry.element),
       image = imageOf(element);
     if (image === null || entry.registrations.size === 0) return;
     entry.shown = image;

@@ -11,7 +11,7 @@ import { isRefused } from "../prediction/row.js";
 
 /**
  * @param {string} name @param {() => Promise<Stage[]>} loadStages the differentiator and the predictor
- * @returns {import("./source.js").Predictor} it is loaded when it is opened
+ * @returns {import("./source.js").InPage} it is loaded when it is opened
  */
 export const inPage = (name, loadStages) => ({ name, open: () => open(loadStages) });
 

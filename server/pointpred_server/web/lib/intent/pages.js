@@ -18,7 +18,7 @@ let scripts; // what makes the texts of scripts under Trusted Types
 /** The page at an address, always the same object. @param {string} address @returns {Page} */
 export function pageOf(address) {
   if (!pages.has(address)) pages.set(address, { address, askedAt: -Infinity });
-  return pages.get(address);
+  return /** @type {Page} */ (pages.get(address));
 }
 
 /** Whether the browser was asked for a page lately, so that it still has it. @param {Page} page */

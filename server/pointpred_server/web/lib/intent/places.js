@@ -6,6 +6,8 @@ import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { claimed, isRefused, REMAINING_S } from "../prediction/row.js";
 import { attempt } from "./firing-ledger.js";
 
+/** @typedef {import("../prediction/chooser.js").PlaceChooser} Chooser */
+
 const DEFAULTS = { precision: USUAL[0], page: undefined, person: "", store: undefined };
 const TEXTS = ["page", "person", "store"];
 
@@ -58,8 +60,8 @@ class Places {
   #build;
   #callback;
   #options;
-  #pipeline = null;
-  #chooser = null;
+  /** @type {import("../prediction/pipeline.js").Pipeline|null} */ #pipeline = null;
+  /** @type {Chooser|null} */ #chooser = null;
   #firings = new Map();
   #stop = new AbortController();
 
@@ -118,7 +120,7 @@ class Places {
   async #load() {
     const [{ PlaceChooser }, pipeline] = await Promise.all([import("../prediction/chooser.js"), this.#known()]);
     this.#pipeline = pipeline;
-    this.#chooser = new PlaceChooser(this.#pipeline, { precision: this.#options.precision });
+    this.#chooser = new PlaceChooser(pipeline, { precision: this.#options.precision });
     this.#enter();
   }
 
@@ -140,13 +142,14 @@ class Places {
     this.#pipeline.enter(this.#options.page, -window.scrollX, -window.scrollY);
   }
 
-  /** @param {number[][]} rows t, x, y, dx, dy, buttons */
+  /** @param {import("../pointpred.js").EventRow[]} rows */
   #follow(rows) {
     if (this.#pipeline === null) return;
     for (const [t, x, y, , , buttons] of rows) {
       const row = [t, x, y, NaN, NaN, buttons],
         answer = this.#pipeline.advance(row);
-      if (!isRefused(answer)) for (const choice of this.#chooser.update()) this.#turn(choice, answer, t);
+      if (!isRefused(answer))
+        for (const choice of /** @type {Chooser} */ (this.#chooser).update()) this.#turn(choice, answer, t);
     }
   }
 

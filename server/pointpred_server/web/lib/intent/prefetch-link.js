@@ -11,34 +11,38 @@ const WATCH_MS = 100; // so long after a change of the page its links are looked
 const UNSAFE =
   /(?:^|[^a-z])(?:log|sign)[-_]?(?:out|off)|[/=?&](?:unsubscribe|delete|remove|add[-_]to[-_]cart)(?=[/?&=.]|$)/i;
 
+/** @typedef {ReturnType<typeof import("./register.js").onIntentWith>} OnIntent */
+
 /**
  * `prefetchLink` with this `onIntent`. It prefetches or prerenders the pages of links that the user is heading for: by Speculation
  * Rules where the browser has them and may use them, else by `<link rel=prefetch>`. Left out are links to other origins, to this
  * page itself, with `download` or another `target`, in an element with `data-no-prefetch`, with an address that looks as if it
  * logged out or changed something, and to pages loaded in the last five minutes. Throws a TypeError or a RangeError for links and
  * options that cannot be used; then none is registered.
- * @param {ReturnType<import("./register.js").onIntentWith>} onIntent
+ * @param {OnIntent} onIntent
  * @returns {(links: Element|Iterable<Element>|string, options?: import("../index.d.ts").PrefetchLinkOptions) => () => void} takes links or a
  *   selector, and options of `onIntent` besides its own. What it returns stops it
  */
 export const prefetchLinkWith = (onIntent) => (links, options) => prefetch(onIntent, links, options);
 
+/** @param {OnIntent} onIntent @param {Element|Iterable<Element>|string} links @param {import("../index.d.ts").PrefetchLinkOptions} [options] */
 function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonce, watch = false, ...given } = {}) {
   needDocument("prefetchLink");
   const { href, ignore = [], origins = [], ...options } = given;
   const rules = { href, ignores: [ignore].flat(), origins: [origins].flat() };
   check(links, { action, limit, watch, ...rules });
+  const { enabled = true, onError } = options;
+  const fail = onError && ((error) => onError(error, null));
   const registered = new Map(); // what stops it, by link
   const pageFor = (link) => {
-    const address = attempt(() => loadable(link, rules), options.onError) ?? null;
+    const address = attempt(() => loadable(link, rules), fail) ?? null;
     return address === null ? null : pageOf(address);
   };
   let left = limit;
   const load = ({ element }) => {
     left -= 1;
-    ask(pageFor(element), action, nonce);
+    ask(/** @type {import("./pages.js").Page} */ (pageFor(element)), action, nonce);
   };
-  const { enabled = true } = options;
   const isOn = (link) => {
     const page = pageFor(link);
     return left > 0 && page !== null && !isAsked(page) && (typeof enabled === "function" ? enabled(link) : enabled);

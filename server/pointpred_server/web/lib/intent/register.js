@@ -6,7 +6,7 @@ import { Registration } from "./registration.js";
 import { Source } from "./source.js";
 import { Tracker } from "./tracker.js";
 
-/** What an option may be: one of some words or kinds of values, or a number between two. */
+/** What an option may be: one of some words or kinds of values, or a number between two. @type {Object<string, (string|number)[]>} */
 const KNOWN = {
   policy: ["prefetch", "highlight"],
   touch: ["start", "viewport", "none"],
@@ -21,6 +21,7 @@ const KNOWN = {
   keyboard: [0, 20],
   dwell_s: [0, 60],
 };
+/** @type {Omit<import("../index.d.ts").IntentOptions, "predictor"|"service">} */
 const DEFAULTS = {
   policy: "prefetch",
   name: "",
@@ -44,8 +45,12 @@ const NO_SLOP = { top: 0, right: 0, bottom: 0, left: 0 };
 export const trackers = new Map();
 
 /**
+ * @typedef {import("./registration.js").Options} Options
+ */
+
+/**
  * The predictors that an entry of the package offers.
- * @typedef {{defaults?: object, choices?: Object<string, string[]>, of: (options: object) => import("./source.js").Predictor}} Offer
+ * @typedef {{defaults?: Partial<Options>, choices?: Object<string, string[]>, of: (options: Options) => import("./source.js").Predictor}} Offer
  *   `defaults`, `choices`: the options that choose among them; `of`: the one that is chosen
  */
 
@@ -111,7 +116,7 @@ function check(element) {
     throw new TypeError(`an element of the page is needed, received ${named(element)}`);
 }
 
-/** The tracker of a predictor; the first registration begins it. */
+/** The tracker of a predictor; the first registration begins it. @param {import("./source.js").Predictor} predictor */
 function trackerOf(predictor) {
   const key = JSON.stringify([predictor.name, predictor.service]);
   if (!trackers.has(key))
@@ -122,14 +127,14 @@ function trackerOf(predictor) {
         () => trackers.delete(key),
       ),
     );
-  return trackers.get(key);
+  return /** @type {Tracker} */ (trackers.get(key));
 }
 
 /**
  * The options with their defaults. Throws a TypeError for one that is unknown or of another type, a RangeError for a number
  * out of bounds.
  * @param {Offer} offer @param {import("../index.d.ts").IntentOptions} given
- * @returns {Required<import("../index.d.ts").IntentOptions> & {hitSlop: {top: number, right: number, bottom: number, left: number}}}
+ * @returns {Options}
  */
 function optionsOf({ defaults, choices }, given = {}) {
   const options = { ...DEFAULTS, ...defaults };
@@ -139,15 +144,16 @@ function optionsOf({ defaults, choices }, given = {}) {
   }
   for (const [name, known] of Object.entries({ ...KNOWN, ...choices })) {
     const value = options[name];
-    if (typeof known[0] === "number") checkNumber(name, value, known);
+    if (typeof known[0] === "number") checkNumber(name, value, /** @type {number[]} */ (known));
     else if (!known.includes(value) && !known.includes(`a ${typeof value}`))
       throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${value}`);
   }
   options.once ??= options.policy === "prefetch";
   options.hitSlop = sidesOf(options.hitSlop);
-  return options;
+  return /** @type {Options} */ (options);
 }
 
+/** @param {string} name @param {unknown} value @param {number[]} bounds */
 function checkNumber(name, value, [low, high]) {
   if (!(typeof value === "number" && value >= low && value <= high))
     throw new RangeError(`${name} must be a number in [${low}, ${high}], received ${value}`);

@@ -5,12 +5,19 @@ import { attempt, FiringLedger } from "./firing-ledger.js";
 const MARKS = ["data-target", "data-predicted"]; // attributes for style sheets
 const SLOW = ["slow-2g", "2g"]; // connections too slow to load anything ahead
 
+/**
+ * The options of a registration, with their defaults.
+ * @typedef {Required<Omit<import("../index.d.ts").IntentOptions, "hitSlop"|"onError"|"service">> & Pick<import("../index.d.ts").IntentOptions, "onError"|"service">
+ *   & {hitSlop: Required<import("../index.d.ts").Sides>}} Options `predictor`: where there is a choice
+ */
+
 /** What has fired in this page. */
 export const ledger = new FiringLedger();
 
 /** Whether nothing shall be loaded ahead: `Save-Data`, a 2G connection, or the media feature `prefers-reduced-data`. */
 function isReduced() {
-  const { saveData = false, effectiveType = "" } = navigator.connection ?? {};
+  const { saveData = false, effectiveType = "" } =
+    /** @type {{connection?: {saveData?: boolean, effectiveType?: string}} & Navigator} */ (navigator).connection ?? {};
   return saveData || SLOW.includes(effectiveType) || matchMedia("(prefers-reduced-data: reduce)").matches;
 }
 
@@ -22,15 +29,18 @@ export class Registration {
   #firedIn = -1;
   #withheld = false;
   #end = new AbortController();
-  #cleanup = null;
+  /** @type {(() => unknown)|null} */ #cleanup = null;
   #waiting = 0;
 
   /**
-   * @param {Element} element @param {import("../index.d.ts").IntentCallback|null} callback @param {object} options with their defaults
+   * @param {Element} element @param {import("../index.d.ts").IntentCallback|null} callback @param {Options} options
    * @param {() => object} [subject] what its callback is for; a hit of one is a hit of all that have the same
    */
   constructor(element, callback, options, subject = () => element) {
-    [this.element, this.#callback, this.options, this.subject] = [element, callback, options, subject];
+    this.element = element;
+    this.#callback = callback;
+    this.options = options;
+    this.subject = subject;
     this.name = options.name || element.id;
   }
 

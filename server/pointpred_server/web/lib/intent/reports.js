@@ -8,12 +8,14 @@ const MOST_NAMES = 500; // names beyond are counted in the totals only
 
 /**
  * Counts of one name, or of all; `leads`: from firing to use, s, of the newest hits.
- * @returns {{withheld: number, withdrawn: number, leads: number[], reasons: Object<string, {fired: number, hit: number}>}}
+ * @typedef {{withheld: number, withdrawn: number, leads: number[], reasons: Object<string, {fired: number, hit: number}>}} Counted
  */
+
+/** @returns {Counted} */
 const nothing = () => ({ withheld: 0, withdrawn: 0, leads: [], reasons: {} });
 
 const all = nothing();
-/** @type {Map<string, ReturnType<typeof nothing>>} */
+/** @type {Map<string, Counted>} */
 const names = new Map();
 theLedger.countWith(count);
 
@@ -30,7 +32,7 @@ function count({ kind, name, reason, lead_s }) {
 
 function countsOf(name) {
   if (name && !names.has(name) && names.size < MOST_NAMES) names.set(name, nothing());
-  return name && names.has(name) ? [all, names.get(name)] : [all];
+  return name && names.has(name) ? [all, /** @type {Counted} */ (names.get(name))] : [all];
 }
 
 /** What has fired so far: hits, unused firings and lead times. @returns {import("../index.d.ts").LedgerSummary} */
@@ -39,7 +41,7 @@ export function ledger() {
   return { ...summaryOf(all), names: byName };
 }
 
-/** @returns {import("../index.d.ts").Counts} */
+/** @param {Counted} counts @returns {import("../index.d.ts").Counts} */
 function summaryOf({ withheld, withdrawn, leads, reasons }) {
   const by = {},
     total = { fired: 0, hit: 0, wasted: 0 };

@@ -17,9 +17,9 @@ export class ScrollAhead {
 
   /**
    * The elements that their present speed brings under the pointer. A container that scrolls inside the page counts as the page does.
-   * @param {import("./tracker.js").Entry[]} entries measured in this frame @param {{x: number, y: number}} pointer px
+   * @param {import("./entry.js").Entry[]} entries measured in this frame @param {{x: number, y: number}} pointer px
    * @param {number} t s
-   * @returns {import("./tracker.js").Entry[]}
+   * @returns {import("./entry.js").Entry[]}
    */
   comingUnder(entries, { x, y }, t) {
     const dt = t - this.#at,
@@ -40,7 +40,7 @@ export class ScrollAhead {
 /** Reports elements that come near the viewport, from the first scroll on: what is in view before has not come. */
 export class NearView {
   #waiting = new Set();
-  #observer = null;
+  /** @type {IntersectionObserver|null} */ #observer = null;
   #seen = new WeakSet();
 
   /** @param {(element: Element) => void} onNear @param {Set<Element>} inView @param {AbortSignal} signal */
@@ -70,7 +70,7 @@ export class NearView {
       },
       { rootMargin: MARGIN },
     );
-    signal.addEventListener("abort", () => this.#observer.disconnect());
+    signal.addEventListener("abort", () => this.#observer?.disconnect());
     for (const element of this.#waiting) {
       if (inView.has(element)) this.#seen.add(element);
       this.#observer.observe(element);

@@ -5,7 +5,7 @@ import { connect } from "../pointpred.js";
 /**
  * A predictor behind a service: its predictions come later than the events.
  * @param {string} predictor a name of the registry @param {string} service its address @param {(row: number[]) => void} onAnswer
- * @returns {object} as `Source` uses it
+ * @returns {import("./source.js").Opened}
  */
 export function open(predictor, service, onAnswer) {
   const connection = connect(service, { predictor, pointer: false });
@@ -14,6 +14,7 @@ export function open(predictor, service, onAnswer) {
     const { sxx = NaN, sxy = NaN, syy = NaN, tail } = region ?? {};
     onAnswer([t, x ?? NaN, y ?? NaN, sxx, sxy, syy, remaining_s ?? NaN, NaN, tail ?? NaN, NaN]);
   });
+  /** @type {Promise<void>} */
   const ready = new Promise((resolve) => {
     connection.on("state", (state) => state === "open" && resolve());
   });

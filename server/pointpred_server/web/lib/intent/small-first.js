@@ -7,8 +7,8 @@ const idle = () =>
   new Promise((resolve) => (globalThis.requestIdleCallback ?? setTimeout)(resolve, { timeout: PATIENCE_MS }));
 
 /**
- * @param {import("./source.js").Predictor} small @param {import("./source.js").Predictor} large in the page as well; loaded once the page is idle
- * @returns {import("./source.js").Predictor} the large one, before which the small one predicts, until the end of a movement
+ * @param {import("./source.js").InPage} small @param {import("./source.js").InPage} large loaded once the page is idle
+ * @returns {import("./source.js").InPage} the large one, before which the small one predicts, until the end of a movement
  */
 export const smallFirst = (small, large) => ({
   name: large.name,
@@ -19,7 +19,7 @@ class Both {
   /** The name of the predictor that predicts now. @type {string} */ predictor;
   /** Settles when the large one is loaded. @type {Promise<void>} */ ready;
   #opened;
-  #next = null;
+  /** @type {{opened: import("./source.js").Opened, name: string}|null} */ #next = null;
   #closed = false;
 
   constructor(name, opened, large) {

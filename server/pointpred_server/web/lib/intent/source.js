@@ -2,8 +2,9 @@
 
 /**
  * A predictor that is not loaded yet.
- * @typedef {{name: string, service?: string, open: (onAnswer?: (row: number[]) => void) => Promise<Opened>}} Predictor
+ * @typedef {{name: string, service?: string, open: (onAnswer: (row: number[]) => void) => Promise<Opened>}} Predictor
  *   `service`: the address of the service that predicts
+ * @typedef {{name: string, open: () => Promise<Opened>}} InPage a predictor that answers to each event at once
  * @typedef {{add: (row: number[], begins: boolean) => number[]|null, flush: () => boolean, close: () => void, ready?: Promise<void>}} Opened
  *   `ready`: settles when its predictions can come, if that is later
  */

@@ -17,7 +17,7 @@ const RIGHT = 2; // the button that opens a menu
 
 /**
  * Why something fires: `score` is what was compared with `threshold`, null where nothing was.
- * @typedef {{reason: string, p: number, score: number|null, threshold: number|null, t: number, remaining_s: number|null}} Cause
+ * @typedef {Omit<import("../index.d.ts").Firing, "element"|"name"|"policy"|"signal">} Cause
  */
 
 /** Registered elements that share a predictor. */
@@ -27,7 +27,7 @@ export class Tracker {
   /** Tells which elements are in view. @type {Elements} */ elements;
   /** The areas of images. @type {WeakMap<Element, Set<Entry>>} */ areas = new WeakMap();
   /** Counts the key presses and touches of the page. */ visit = 0;
-  #entries = new WeakMap();
+  /** @type {WeakMap<Element, Entry>} */ #entries = new WeakMap();
   #count = 0;
   #onIdle;
   #eventAt = -Infinity;
@@ -35,14 +35,14 @@ export class Tracker {
   #changed = false;
   #stop = new AbortController();
   #pageChoices;
-  #later = null;
-  #highlights = null;
-  #loading = null; // settles when highlights are loaded
+  /** @type {import("./later.js").Later|null} */ #later = null;
+  /** @type {import("./highlights.js").Highlights|null} */ #highlights = null;
+  /** @type {Promise<void>|null} */ #loading = null; // settles when highlights are loaded
   #rows = [];
   #buttons = 0;
 
   /**
-   * @param {(onAnswer: (row: number[]) => void) => object} open makes the source of predictions
+   * @param {(onAnswer: (row: number[]) => void) => import("./source.js").Source} open makes the source of predictions
    * @param {() => void} onIdle called when the last registration has stopped, and nothing is listened to any more
    */
   constructor(open, onIdle) {
@@ -116,7 +116,7 @@ export class Tracker {
 
   /** The share of an element now; 0 while it is not in view. @param {Element} element */
   share(element) {
-    const place = this.shares.entries.indexOf(this.#entries.get(element));
+    const place = this.shares.entries.indexOf(/** @type {Entry} */ (this.#entries.get(element)));
     return place < 0 ? 0 : this.shares.share(place);
   }
 
@@ -170,6 +170,7 @@ export class Tracker {
     const rows = this.#rows;
     if (rows.length === 0) return;
     this.#rows = [];
+    /** @type {number[]|null} */
     let answer = null;
     const entered = this.shares.follow(rows, (row, begins) => {
       answer = this.source.add(row, begins);
@@ -195,8 +196,8 @@ export class Tracker {
 
   /**
    * Fires the prefetches of an element that a reason counts for.
-   * @param {Entry} entry @param {string} reason
-   * @param {{isSeen?: () => boolean, isPassed?: boolean}} more `isSeen`: whether nothing lies over the element, where its rectangle does not tell;
+   * @param {Entry} entry @param {import("../index.d.ts").Reason} reason
+   * @param {{p?: number, score?: number|null, t?: number, press?: number, into?: string, isSeen?: () => boolean, isPassed?: boolean}} more `isSeen`: whether nothing lies over the element, where its rectangle does not tell;
    *   `isPassed`: the pointer may be gone again
    */
   firePrefetch(
@@ -223,7 +224,10 @@ export class Tracker {
     }
   }
 
-  /** @returns {Cause} */
+  /**
+   * @param {Cause["reason"]} reason @param {{p: number, score?: number|null, threshold: number, t: number}} firing
+   * @returns {Cause}
+   */
   cause(reason, { p, score = null, threshold, t }) {
     const isPredicted = reason === "predicted";
     return {

@@ -15,6 +15,7 @@ export async function usualStages({ DIFFERENTIATORS, GAINS, PREDICTORS }, name) 
   return [stageOf(differentiator, given), { ...stageOf(predictor, given), coefficients }];
 }
 
+/** @param {import("../prediction/stage.js").Kind} kind @param {Object<string, number>} given */
 function stageOf({ parameters, step, fill, settle, ...kind }, given) {
   const values = Float64Array.from(parameters, ({ name, default: usual, absent }) => given[name] ?? usual ?? absent);
   const [first, learned, states] = kind.sizes?.(values) ?? [kind.settings, kind.learned, kind.states];

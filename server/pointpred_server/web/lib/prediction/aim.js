@@ -69,7 +69,7 @@ export class Aim {
   /** The target that is likeliest of all, none of them included; null where none of them is. @returns {unknown} */
   get target() {
     const [best] = this.likeliest(1);
-    return best !== undefined && best.p >= this.shares.at(-1) ? best.id : null;
+    return best !== undefined && best.p >= /** @type {number} */ (this.shares.at(-1)) ? best.id : null;
   }
 
   /** The cursor's way, as laws take it. @type {Float64Array} */

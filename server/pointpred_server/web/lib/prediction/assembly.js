@@ -8,7 +8,7 @@ import { Pipeline } from "./pipeline.js";
 import { Stage } from "./stage.js";
 
 /**
- * @typedef {{cpi?: number|null, dpi?: number, person?: string, targets?: import("./targets.js").Target[], differentiator?: string}} BuildOptions and every parameter
+ * @typedef {{cpi?: number|null, dpi?: number, person?: string, targets?: readonly import("./targets.js").Target[], differentiator?: string}} BuildOptions and every parameter
  *   of the predictor and the differentiator by its name. cpi: counts per inch of the device; with it motor motion comes from
  *   the counts of events, without it from the cursor and `dpi`, px per inch (96). person: what `person` of a pipeline of this name was;
  *   targets: what `register` takes
@@ -16,7 +16,10 @@ import { Stage } from "./stage.js";
 
 /**
  * All predictors, as `../laws/registry.js` has them, or one, as `../laws/only/` has each.
- * @typedef {{GAINS: Object<string, number>, PREDICTORS: Object<string, object>, DIFFERENTIATORS: Object<string, object>}} Registry
+ * @typedef {{differentiator: string, preset?: Object<string, number>, load: () => Promise<import("./stage.js").Kind>,
+ *   coefficients?: () => Promise<Float64Array>}} Entry of a predictor
+ * @typedef {{GAINS: Object<string, number>, PREDICTORS: Object<string, Entry>,
+ *   DIFFERENTIATORS: Object<string, {load: Entry["load"]}>}} Registry
  */
 
 /**

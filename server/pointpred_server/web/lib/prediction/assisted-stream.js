@@ -14,6 +14,7 @@ import { PredictionStream } from "./stream.js";
  */
 export class AssistedStream extends PredictionStream {
   #memory;
+  /** @type {{place: number[]|null, added: number, guidance: number[]|null}} */
   #cursor = { place: null, added: 0, guidance: null };
 
   constructor(hello, pipeline, send) {
@@ -53,19 +54,21 @@ export class AssistedStream extends PredictionStream {
   }
 
   beforePredictions(t) {
-    const {
-      place: [x, y],
-      added,
-    } = this.#cursor;
+    const { place, added } = this.#cursor,
+      [x, y] = /** @type {number[]} */ (place);
     this.send({ type: "cursor", t, x, y, added_px: added });
   }
 
+  /** @param {number[]} row */
   move([t, x, y, dx, dy, buttons]) {
     const place = this.#step(t, this.#cursor.place ?? [x, y], dx, dy);
     return place && [t, ...place, dx, dy, buttons];
   }
 
-  /** Where one report brings the cursor, within the screen; null where it is refused. */
+  /**
+   * Where one report brings the cursor, within the screen; null where it is refused.
+   * @param {number} t @param {number[]} place @param {number} dx @param {number} dy
+   */
   #step(t, [x, y], dx, dy) {
     const [toX, toY, ...spread] = this.#cursor.guidance ?? [];
     const guided = Math.abs(toX - x) <= LARGEST && Math.abs(toY - y) <= LARGEST;
@@ -78,7 +81,7 @@ export class AssistedStream extends PredictionStream {
     return place;
   }
 
-  /** The newest prediction guides the next report. */
+  /** The newest prediction guides the next report. @param {number[]} answer */
   guide([, x, y, sxx, sxy, syy, , , tail]) {
     this.#cursor = { ...this.#cursor, guidance: x === x ? [x, y, ...asNormal(sxx, sxy, syy, tail)] : null };
   }

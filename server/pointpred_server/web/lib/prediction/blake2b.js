@@ -57,6 +57,7 @@ function turn(words, a, b, bits) {
   words[a + 1] = rest ? (high >>> rest) | (low << (32 - rest)) : high;
 }
 
+/** @param {Uint32Array} words @param {number[]} quarter @param {Uint32Array} block @param {number} x @param {number} y */
 function mix(words, [a, b, c, d], block, x, y) {
   add(words, a, words[b], words[b + 1]);
   add(words, a, block[x], block[x + 1]);

@@ -25,6 +25,7 @@ const PARAMETERS = [
 ].map(([name, unit], place) => ({ name, unit, low: LOWEST[place], high: HIGHEST[place] }));
 /** Bounds of the share of proposals that shall be right. */
 export const PRECISION = PARAMETERS[0];
+/** @type {[Choice["action"], Choice["reason"]][]} */
 const CHANGES = [
   ["retract", null],
   ["retract", null],

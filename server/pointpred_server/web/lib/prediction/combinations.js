@@ -16,6 +16,7 @@ export function checkTogether(name, values, stage) {
   if (name === "homogeneous") checkHomogeneous(values, stage);
 }
 
+/** @param {Object<string, number>} values @param {import("./stage.js").Stage} stage */
 function checkHomogeneous({ order, alpha, gap_s: gap, step_s: step, gain_lambda: slowest, gain_xi: ratio }, stage) {
   if (alpha * order < -1 - OFF_BOUND)
     refuse("alpha", alpha, `must lie in [-1/order, 0] = [${general(-1 / order)}, 0], received ${alpha}`);

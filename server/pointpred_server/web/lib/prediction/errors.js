@@ -5,7 +5,9 @@ class ValueError extends RangeError {
   /** @param {string} message @param {{code: string, field?: string, value?: unknown}} details */
   constructor(message, { code, field = "", value = null }) {
     super(message);
-    Object.assign(this, { code, field, value });
+    this.code = code;
+    this.field = field;
+    this.value = value;
   }
 }
 

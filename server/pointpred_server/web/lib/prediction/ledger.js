@@ -6,7 +6,8 @@ import { keyOf } from "./blake2b.js";
 import { Leads } from "./leads.js";
 import { claimed } from "./row.js";
 
-const TOTALS = ["movements", "proposed", "right", "hits", "wasted", "retracted", "entered"]; // where the account begins
+/** Where the account begins. */
+const TOTALS = /** @type {const} */ (["movements", "proposed", "right", "hits", "wasted", "retracted", "entered"]);
 
 /**
  * @typedef {{proposed: number, hit: boolean, wasted: number, retracted: number, lead_entry_s: number|null,
@@ -70,14 +71,16 @@ export class Ledger {
 
   /** The rows of the account, with room for so many more targets of this movement. @param {number} count */
   withRoom(count) {
-    const needed = Math.min(this.account.at(-1) + count, law.LATEST); // ids are the caller's
+    const needed = Math.min(/** @type {number} */ (this.account.at(-1)) + count, law.LATEST); // ids are the caller's
     while (this.#rows.length < needed) this.#rows.push(new Float64Array(law.FIELDS));
     return this.#rows;
   }
 
   /** The counts, with shares and the medians of the leads; null where there is nothing to count. */
   get summary() {
-    const { hits: hit, ...counts } = Object.fromEntries(TOTALS.map((name, i) => [name, this.account[i]]));
+    const { hits: hit, ...counts } = /** @type {Record<typeof TOTALS[number], number>} */ (
+      Object.fromEntries(TOTALS.map((name, i) => [name, this.account[i]]))
+    );
     const { movements, proposed, right } = counts,
       over = (part, all) => (all ? part / all : null);
     return {

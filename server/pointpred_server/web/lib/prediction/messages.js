@@ -9,6 +9,7 @@ export class ProtocolError extends Error {
   /** @param {string} code @param {string} message @param {string|null} [path] @param {{field?: string, value?: unknown, recoverable?: boolean}} [more] */
   constructor(code, message, path = null, { field, value, recoverable = true } = {}) {
     super(message);
+    /** @type {import("../pointpred.js").ErrorMessage & {value?: unknown}} */
     this.answer = { type: "error", code, message, path, recoverable };
     if (field) this.answer.field = field;
     if (field && (value === null || ["string", "boolean"].includes(typeof value) || Number.isFinite(value)))
@@ -16,7 +17,10 @@ export class ProtocolError extends Error {
   }
 }
 
-/** @typedef {Record<string, any>} Schema a JSON schema, as `laws/messages.js` holds them */
+/**
+ * @typedef {Record<string, any>} Schema a JSON schema, as `laws/messages.js` holds them
+ * @typedef {{type: string, [field: string]: any}} Message of a client: what a schema allows
+ */
 
 function refuse(expected, value, path) {
   throw new ProtocolError("bad_field", `expected ${expected}, received ${quoted(value)}`, path);
@@ -50,7 +54,7 @@ function check(schema, value, path) {
   if (typeof value === "string" && schema.pattern !== undefined && !new RegExp(schema.pattern, "u").test(value))
     refuse(`a text like ${schema.pattern}`, value, path);
   if (Array.isArray(value)) value.forEach((one, i) => check(schema.items, one, `${path}[${i}]`));
-  else if (kindOf(value) === "object") checkFields(schema, value, path);
+  else if (kindOf(value) === "object") checkFields(schema, /** @type {object} */ (value), path);
 }
 
 function checkNumber(schema, value, path) {
@@ -61,7 +65,10 @@ function checkNumber(schema, value, path) {
     refuse(`a number in [${general(minimum)}, ${general(maximum)}]`, value, path);
 }
 
-/** An object with the fields of a schema and no others; fields that are undefined count as missing. */
+/**
+ * An object with the fields of a schema and no others; fields that are undefined count as missing.
+ * @param {Schema} schema @param {object} value @param {string} path
+ */
 function checkFields(
   { properties = {}, required = [], additionalProperties = true, propertyNames, maxProperties = Infinity },
   value,
@@ -80,7 +87,11 @@ function checkFields(
     if (one !== undefined) check(properties[name] ?? additionalProperties, one, `${path}.${name}`);
 }
 
-/** The fields that are given, and the defaults of the others. @param {Schema} schema @param {object} given */
+/**
+ * The fields that are given, and the defaults of the others.
+ * @template {object} Given
+ * @param {Schema} schema @param {Given} given @returns {Given}
+ */
 const filled = ({ properties }, given) => ({
   ...Object.fromEntries(
     Object.entries(properties)
@@ -93,7 +104,7 @@ const filled = ({ properties }, given) => ({
 const objectIn = ({ anyOf }) => anyOf.find((one) => one.type === "object");
 const { assist: ASSIST, screen: SCREEN } = CLIENT_MESSAGES.hello.properties;
 
-/** A message with the fields that it leaves out; throws a ProtocolError. @param {object} message @returns {object} */
+/** A message with the fields that it leaves out; throws a ProtocolError. @param {Message} message @returns {Message} */
 export function checked(message) {
   const kind = message?.type;
   if (typeof kind !== "string" || !Object.hasOwn(CLIENT_MESSAGES, kind)) {

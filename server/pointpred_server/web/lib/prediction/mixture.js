@@ -17,6 +17,7 @@ export const partRows = (count) => Array.from({ length: count }, () => new Float
 
 const [SHARE, TAIL] = [0, 6];
 const VERTICES = 4000; // of all outlines together, at most
+/** @type {{vertices: Float64Array[]|null, ends: Float64Array}} */
 const room = { vertices: null, ends: new Float64Array(POLYGONS) }; // for outlines, made when they are first asked for
 
 /** One of the parts holds, each with its share; elsewhere first. */
@@ -72,8 +73,8 @@ export class Mixture {
     if (!(level > 0 && level < 1)) throw new RangeError(`level must be a probability in (0, 1), received ${level}`);
     const rows = this.#rows,
       content = corrected(level, rows[0][TAIL] || 2 / HEAVINESS_LEAST, ...this.#offsets);
-    room.vertices ??= Array.from({ length: VERTICES }, () => new Float64Array(2));
-    const { vertices, ends } = room,
+    const { ends } = room,
+      vertices = (room.vertices ??= Array.from({ length: VERTICES }, () => new Float64Array(2))),
       threshold = thresholdOf(rows, rows.length, content, points);
     const count = outlines(rows, rows.length, threshold, vertices, ends);
     return Array.from({ length: count }, (_, k) =>

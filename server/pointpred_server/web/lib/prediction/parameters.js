@@ -4,8 +4,8 @@ import { ParameterError } from "./errors.js";
 import { general, nearest, quoted } from "./words.js";
 
 /**
- * @typedef {{name: string, unit?: string, low: number, high: number, default: number|null, whole: boolean,
- *   absent: number|null}} Parameter bounds are closed; absent: what stands for null, null where a number is needed
+ * @typedef {{name: string, unit?: string, low: number, high: number, default?: number|null, whole?: boolean,
+ *   absent?: number|null}} Parameter bounds are closed; absent: what stands for null, null where a number is needed
  */
 
 /**
@@ -16,7 +16,7 @@ export const valuesOf = (parameters, given) =>
   Float64Array.from(parameters, (one) => {
     const value = given[one.name] === undefined ? one.default : given[one.name];
     check(one, value);
-    return value ?? one.absent;
+    return /** @type {number} */ (value ?? one.absent);
   });
 
 /** Throws a ParameterError for a value that is not a number within the bounds. @param {Parameter} parameter @param {unknown} value */
@@ -25,7 +25,7 @@ export function check({ name, unit, low, high, whole, absent = null }, value) {
   const refuse = (must) => {
     throw new ParameterError(`${name} must ${must}, received ${quoted(value)}`, { field: name, value });
   };
-  if (typeof value !== "number") refuse(unit ? `be a number (${unit})` : "be a number");
+  if (typeof value !== "number") return refuse(unit ? `be a number (${unit})` : "be a number");
   if (!(value >= low && value <= high)) refuse(`lie in [${general(low)}, ${general(high)}]${unit ? ` ${unit}` : ""}`);
   if (whole && !Number.isInteger(value)) refuse("be a whole number");
 }

@@ -9,9 +9,9 @@ const VERSION = "1."; // of the string; what the numbers mean is the layout's
 const DIGEST = 8; // bytes of the layout's name, and of the digest of all before it
 
 /**
- * @typedef {{name: string, count: number, low: number, high: number, whole: boolean}} Slot a run of numbers that a stage
+ * @typedef {{name: string, count: number, low: number, high: number, whole?: boolean}} Slot a run of numbers that a stage
  *   knows of its person, with the closed bounds of each
- * @typedef {{slots: Slot[], layout: string, fault?: (known: Float64Array) => [number, number]}} Learner slots in the order of
+ * @typedef {{slots: Slot[], layout: string, fault?: (known: Float64Array) => number[]}} Learner slots in the order of
  *   the numbers; layout: 16 hexadecimal digits that name them; fault: a law that says what is wrong with numbers within
  *   their bounds, 0 for nothing, and one of the wrong numbers
  */
@@ -23,7 +23,7 @@ export function packed({ layout }, known) {
   if (!known.some((value) => value !== 0)) return "";
   const bytes = new Uint8Array(8 * known.length + 2 * DIGEST),
     view = new DataView(bytes.buffer);
-  bytes.set(layout.match(/../g).map((pair) => Number.parseInt(pair, 16)));
+  bytes.set(/** @type {string[]} */ (layout.match(/../g)).map((pair) => Number.parseInt(pair, 16)));
   known.forEach((value, i) => view.setFloat64(DIGEST + 8 * i, value, true));
   bytes.set(digest(bytes.subarray(0, -DIGEST)), bytes.length - DIGEST);
   const binary = Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
@@ -83,7 +83,7 @@ function outside(slots, known) {
   return "";
 }
 
-/** What the law of a learner finds wrong, in words; "" for nothing. */
+/** What the law of a learner finds wrong, in words; "" for nothing. @param {Learner} learner @param {Float64Array} known */
 function faulty({ fault }, known) {
   const [wrong, value] = fault?.(known) ?? [0, 0];
   return wrong === 0 ? "" : `its numbers contradict each other (fault ${wrong}, ${general(value)})`;

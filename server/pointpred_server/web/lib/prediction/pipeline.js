@@ -4,7 +4,7 @@ import { EVENT_FIELDS, MOTION_FIELDS } from "../laws/fields.js";
 import { EVENT_FIELD, MOTION_FIELD, ORDER } from "../laws/records.js";
 import { Aim } from "./aim.js";
 import { EventError, ParameterError } from "./errors.js";
-import { claimed, isRefused, PHASES } from "./row.js";
+import { claimed, isRefused, PHASES, UNPREDICTED } from "./row.js";
 import { SCREEN, sceneOf } from "./scene.js";
 import { general, quoted } from "./words.js";
 
@@ -94,12 +94,12 @@ export class Pipeline {
    */
   advance(row) {
     this.#differentiator.keep(); // it has moved on when the predictor refuses its motion
-    let answer = null;
+    let answer = UNPREDICTED;
     try {
       const motion = this.#differentiator.advance(row);
       answer = isRefused(motion) ? motion : this.#predictor.advance(motion);
     } finally {
-      if (answer === null || isRefused(answer)) this.#differentiator.recall();
+      if (isRefused(answer)) this.#differentiator.recall();
     }
     return this.#aim === null || isRefused(answer) ? answer : this.#aim.given(row, answer);
   }

@@ -17,6 +17,7 @@ export const claimed = (value) => (value === value ? value : null);
  * A row as the message that a service sends. @param {number[]} row
  * @param {string|null} [target] the id of the likeliest of all, null: none of the targets; undefined in a session without
  * @param {{id: string, p: number}[]} [targets] the likeliest
+ * @returns {import("../pointpred.js").Prediction}
  */
 export function messageOf(row, target, targets) {
   const [t, x, y, , , , remaining, phase, , spread] = row,
@@ -35,6 +36,6 @@ export function messageOf(row, target, targets) {
   };
 }
 
-/** The law of the endpoint as `regionOf` takes it, px^2; null where none is claimed. @returns {{sxx: number, sxy: number, syy: number, tail: number|null}|null} */
+/** The law of the endpoint as `regionOf` takes it, px^2; null where none is claimed. @param {number[]} row @returns {{sxx: number, sxy: number, syy: number, tail: number|null}|null} */
 export const regionIn = ([, , , sxx, sxy, syy, , , tail]) =>
   sxx === sxx ? { sxx, sxy, syy, tail: claimed(tail) } : null;

@@ -21,10 +21,10 @@ export function sceneOf(key, x, y) {
       field: "key",
       value: key,
     });
-  for (const [field, value] of [
+  for (const [field, value] of /** @type {[string, number][]} */ ([
     ["x", x],
     ["y", y],
-  ])
+  ]))
     if (typeof value !== "number" || !(Math.abs(value) <= LARGEST)) {
       const message = `${field} of the origin must be a number in [${general(-LARGEST)}, ${general(LARGEST)}] px, received ${quoted(value)}`;
       throw new ParameterError(message, { field, value });

@@ -48,6 +48,7 @@ const REASONS = new Map([
  * @returns {Promise<import("../pointpred.js").Score>}
  */
 export async function scoreOf({ rows, count }, pipeline) {
+  /** @returns {import("../pointpred.js").Score} */
   const unscored = (events, reason) => ({ type: "score", events, ...NO_SCORE, reason });
   if (count > MOST_EVENTS) return unscored(count, `has ${count} events, at most ${MOST_EVENTS} are scored`);
   const cut = new Float64Array(cutting.CUTS);
@@ -58,7 +59,7 @@ export async function scoreOf({ rows, count }, pipeline) {
     part = rows.slice(onset, cut[cutting.STOP]),
     arrival = cut[cutting.ARRIVAL] - onset;
   const none = part.map(() => UNPREDICTED); // where nothing is predicted, the cursor's position is scored
-  const hold = measured(part, none, arrival);
+  const hold = /** @type {Float64Array} */ (measured(part, none, arrival)); // positions are finite
   const own = measured(part, (await answersTo(part, pipeline)) ?? none, arrival) ?? hold;
   const [error, floor] = [own[TIME_AVERAGED], hold[TIME_AVERAGED]];
   return {

@@ -20,7 +20,7 @@ const LIMITS = Object.freeze({
 export class PageSession {
   /** Why the session has ended; null while it goes on. @type {string|null} */ ended = null;
   #send;
-  #stream = null;
+  /** @type {PredictionStream|null} */ #stream = null;
 
   /** @param {(message: object) => void} send is called with each answer, an object as the service sends it as JSON */
   constructor(send) {
@@ -44,7 +44,7 @@ export class PageSession {
     }
   }
 
-  /** Takes in a message. @param {object} message @returns {Promise<void>|undefined} */
+  /** Takes in a message. @param {import("./messages.js").Message} message @returns {Promise<void>|void} */
   receive(message) {
     if (message?.type === "events" && Array.isArray(message.events)) return this.receiveRows(message.events);
     return this.ended === null ? this.#answer(message) : undefined;
@@ -57,37 +57,40 @@ export class PageSession {
       if (type === "bye") return this.#end(asked.reason || "bye");
       if (type === "hello" && this.#stream !== null) throw outOfPlace("expected 'hello' once");
       if (type !== "hello" && this.#stream === null) throw outOfPlace(`expected 'hello' first, received '${type}'`);
-      const reply = await this.#handlers[type](asked);
+      const reply = await this.#handlers[type](asked, /** @type {PredictionStream} */ (this.#stream));
       if (reply !== undefined) this.#send(reply);
     } catch (error) {
       this.#refuse(error);
     }
   }
 
-  /** What is done at each message; the answer is sent. */
+  /**
+   * What is done at each message; the answer is sent.
+   * @type {Object<string, (message: import("./messages.js").Message, stream: PredictionStream) => unknown>}
+   */
   #handlers = {
     hello: async (hello) => {
       if (hello.version < 1 || hello.version > VERSION)
         throw new ProtocolError("bad_field", `version must be 1 to ${VERSION}, received ${hello.version}`, "$.version");
       const kind = hello.assist == null ? PredictionStream : (await import("./assisted-stream.js")).AssistedStream;
       this.#stream = await kind.open(hello, this.#send);
-      return this.#welcome();
+      return welcomeTo(this.#stream);
     },
-    configure: async (message) => {
-      await this.#stream.configure(message);
-      return this.#welcome();
+    configure: async (message, stream) => {
+      await stream.configure(message);
+      return welcomeTo(stream);
     },
-    targets: ({ targets }) => {
+    targets: ({ targets }, stream) => {
       this.#checkTargets(targets);
-      this.#stream.replaceTargets(targets);
+      stream.replaceTargets(targets);
       return { type: "targets", count: targets.length };
     },
-    trial: ({ action, target = null, conditions = {} }) =>
-      this.#stream[action === "start" ? "startTrial" : "endTrial"](target, conditions),
-    enter: ({ key, x = 0, y = 0 }) => this.#stream.enter([key, x, y]),
-    forget: () => ({ type: "person", person: this.#stream.forgetPerson() }),
-    reset: () => this.#stream.reset(),
-    person: async ({ person }) => ({ type: "person", person: await this.#stream.person(person) }),
+    trial: ({ action, target = null, conditions = {} }, stream) =>
+      stream[action === "start" ? "startTrial" : "endTrial"](target, conditions),
+    enter: ({ key, x = 0, y = 0 }, stream) => stream.enter([key, x, y]),
+    forget: (_, stream) => ({ type: "person", person: stream.forgetPerson() }),
+    reset: (_, stream) => stream.reset(),
+    person: async ({ person }, stream) => ({ type: "person", person: await stream.person(person) }),
   };
 
   #checkTargets(targets) {
@@ -102,16 +105,6 @@ export class PageSession {
         });
       ids.add(id);
     });
-  }
-
-  #welcome() {
-    return {
-      type: "welcome",
-      version: this.#stream.hello.version,
-      session: "page",
-      predictor: this.#stream.hello.predictor,
-      limits: LIMITS,
-    };
   }
 
   /** Sends why something was not used. An internal error, or a file that cannot be fetched, ends the session. */
@@ -131,5 +124,14 @@ export class PageSession {
     this.#stream = null;
   }
 }
+
+/** @param {PredictionStream} stream */
+const welcomeTo = ({ hello: { version, predictor } }) => ({
+  type: "welcome",
+  version,
+  session: "page",
+  predictor,
+  limits: LIMITS,
+});
 
 const outOfPlace = (sentence) => new ProtocolError("out_of_place", sentence);

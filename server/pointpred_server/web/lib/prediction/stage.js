@@ -7,12 +7,12 @@ import { packed, unpacked } from "./person.js";
 /**
  * @typedef {number[]} Row
  * @typedef {import("./parameters.js").Parameter} Parameter
- * @typedef {{parameters: Parameter[], step: (memory: Float64Array, row: Row, coefficients?: Float64Array) => Row,
+ * @typedef {{parameters: Parameter[], step: (memory: Float64Array, row: Row, coefficients?: any) => Row,
  *   conclude?: (memory: Float64Array) => void, enter_scene?: (memory: Float64Array, scene: number[]) => void,
  *   list_places?: (memory: Float64Array, out: Float64Array[]) => number,
- *   list_parts?: (memory: Float64Array, out: Float64Array[]) => [number, number, number], fill: (values: Float64Array, memory: Float64Array) => void,
+ *   list_parts?: (memory: Float64Array, out: Float64Array[]) => number[], fill: (values: Float64Array, memory: Float64Array) => void,
  *   settle?: (memory: Float64Array) => void,
- *   settings: number, learned: number, states: number, sizes?: (values: Float64Array) => [number, number, number],
+ *   settings: number, learned: number, states: number, sizes?: (values: Float64Array) => number[],
  *   slots?: import("./person.js").Slot[], layout?: string}} Kind what a generated module exports of a class:
  *   the memory holds `settings` floats, then `learned`, then `states`; `sizes`: these three where they follow from the values
  */

@@ -7,6 +7,8 @@ import { isRefused, messageOf } from "./row.js";
 import { PlaceTracker, TargetTracker } from "./target-tracker.js";
 import { TrialBuffer } from "./trial.js";
 
+/** @typedef {import("./messages.js").Message} Message */
+
 /** What `build` takes besides parameters, and where in a hello it belongs. */
 const ELSEWHERE = { cpi: "device.cpi", dpi: "screen.dpi", name: "predictor", person: "person" };
 
@@ -15,23 +17,23 @@ export class PredictionStream {
   /** The settings in force. */ hello;
   #send;
   #pipeline;
-  #tracker = null;
-  #precision = null;
+  /** @type {TargetTracker|null} */ #tracker = null;
+  /** @type {number|null} */ #precision = null;
   #lastTime = -Infinity;
   #trial = new TrialBuffer();
-  #placeTracker = null;
-  #window = null;
+  /** @type {PlaceTracker|null} */ #placeTracker = null;
+  /** @type {[string, number, number]|null} */ #window = null;
 
   /**
    * Use `open`.
-   * @param {object} hello checked @param {import("./pipeline.js").Pipeline} pipeline @param {(message: object) => void} send
+   * @param {Message} hello checked @param {import("./pipeline.js").Pipeline} pipeline @param {(message: object) => void} send
    */
   constructor(hello, pipeline, send) {
     this.hello = { ...hello, person: "" }; // the pipeline knows it, and learns on
     [this.#pipeline, this.#send] = [pipeline, send];
   }
 
-  /** @param {object} hello checked @param {(message: object) => void} send @returns {Promise<PredictionStream>} rejects with a ProtocolError */
+  /** @param {Message} hello checked @param {(message: object) => void} send @returns {Promise<PredictionStream>} rejects with a ProtocolError */
   static async open(hello, send) {
     return new this(hello, await pipelineOf(hello), send);
   }
@@ -67,7 +69,7 @@ export class PredictionStream {
     return row;
   }
 
-  /** What the newest prediction changes: nothing, unless the cursor is assisted. @param {number[]} answer */
+  /** What the newest prediction changes: nothing, unless the cursor is assisted. @param {number[]} _answer */
   guide(_answer) {}
 
   /** Predicts from events in order, one by one, and decides after each. */
@@ -104,7 +106,7 @@ export class PredictionStream {
       .forEach((answer, i) => this.#send(messageOf(answer, aims[i]?.target, isListed ? aims[i]?.targets : undefined)));
   }
 
-  /** Sends what goes before the predictions: nothing, unless the cursor is assisted. @param {number} t of the newest event, s */
+  /** Sends what goes before the predictions: nothing, unless the cursor is assisted. @param {number} _t of the newest event, s */
   beforePredictions(_t) {}
 
   send(message) {
@@ -116,7 +118,7 @@ export class PredictionStream {
     return this.#pipeline.mixture;
   }
 
-  /** Another predictor or other parameters begin without memory; rejects with a ProtocolError, nothing changed. @param {object} message checked */
+  /** Another predictor or other parameters begin without memory; rejects with a ProtocolError, nothing changed. @param {Message} message checked */
   async configure(message) {
     this.checkAssist(message);
     const another = message.predictor != null,
@@ -148,7 +150,7 @@ export class PredictionStream {
       for (const one of [this.#tracker, this.#placeTracker]) one?.configure(message.precision);
   }
 
-  /** Throws a ProtocolError where assistance is changed that was never asked for. */
+  /** Throws a ProtocolError where assistance is changed that was never asked for. @param {Message} message */
   checkAssist({ assist }) {
     if (assist != null)
       throw new ProtocolError(
@@ -210,13 +212,13 @@ export class PredictionStream {
     return pipeline;
   }
 
-  /** A movement starts at the next event. Throws a ProtocolError. @param {object|null} goal @param {object} conditions what the trial is */
+  /** A movement starts at the next event. Throws a ProtocolError. @param {{x: number, y: number}|null} goal @param {object} conditions what the trial is */
   startTrial(goal, conditions) {
     this.#trial.start(goal, conditions);
     this.reset();
   }
 
-  /** Scores the trial; rejects with a ProtocolError where none was started. @param {object|null} goal @param {object} conditions @returns {Promise<object>} */
+  /** Scores the trial; rejects with a ProtocolError where none was started. @param {{x: number, y: number}|null} goal @param {object} conditions @returns {Promise<object>} */
   async endTrial(goal, conditions) {
     if (!this.#trial.running)
       throw new ProtocolError("out_of_place", "expected 'trial' with action 'start' before 'end'", "$.action");
@@ -237,7 +239,7 @@ export class PredictionStream {
   /** The events that do not run backwards, and the error for those that do, null for none. @param {number[][]} rows */
   #inOrder(rows) {
     let latest = this.#lastTime,
-      first = null,
+      /** @type {{row: number, t: number, before: number}|null} */ first = null,
       late = 0;
     const used = rows.filter(([t], row) => {
       const backwards = t < latest;
@@ -257,7 +259,7 @@ export class PredictionStream {
   }
 }
 
-/** A fresh pipeline that knows the person of a hello; rejects with a ProtocolError. */
+/** A fresh pipeline that knows the person of a hello; rejects with a ProtocolError. @param {Message} hello */
 async function pipelineOf({ predictor, parameters, device, screen, person }) {
   for (const [name, place] of Object.entries(ELSEWHERE))
     if (Object.hasOwn(parameters, name)) {

@@ -9,7 +9,7 @@ import { ProtocolError } from "./messages.js";
 class Tracker {
   #send;
   #chooser;
-  #lastTime = null;
+  /** @type {number|null} */ #lastTime = null;
 
   /**
    * @param {(message: object) => void} send @param {Chooser} chooser
@@ -73,7 +73,7 @@ export class TargetTracker extends Tracker {
   /** Replaces the targets; a proposal of one that is gone is retracted. Throws a ProtocolError. @param {import("./targets.js").Target[]} targets */
   replace(targets) {
     try {
-      this.chooser.pipeline.register(targets);
+      this.chooser.pipeline.aim.register(targets);
     } catch (error) {
       if (!(error instanceof ParameterError)) throw error;
       throw new ProtocolError("bad_field", error.message, "$.targets", error);
@@ -98,7 +98,7 @@ export class TargetTracker extends Tracker {
 
   /** The target that holds the goal's centre, the one with the nearest centre; null without any. */
   #targetAt({ x, y }) {
-    let nearest = null,
+    let /** @type {unknown} */ nearest = null,
       least = Infinity;
     for (const one of this.targets) {
       const across = Math.abs(one.x + one.width / 2 - x),

@@ -9,13 +9,13 @@ export const MOST_EVENTS = 100_000;
 /** The events of the running trial. */
 export class TrialBuffer {
   /** Whether a trial runs. */ running = false;
-  /** The target that the start named, if it did. @type {object|null} */ goal = null;
+  /** The target that the start named, if it did. @type {{x: number, y: number}|null} */ goal = null;
   #rows = [];
   #count = 0;
   #conditions = {};
-  #names = null;
+  /** @type {string[]|null} */ #names = null;
 
-  /** A trial starts; one that was running is dropped. Throws a ProtocolError. @param {object|null} goal @param {object} conditions */
+  /** A trial starts; one that was running is dropped. Throws a ProtocolError. @param {{x: number, y: number}|null} goal @param {object} conditions */
   start(goal, conditions) {
     this.#check(conditions);
     [this.running, this.goal, this.#rows, this.#count, this.#conditions] = [true, goal, [], 0, conditions];

@@ -20,7 +20,7 @@ export function quoted(value) {
 
 /** The name that is most like a word; null where none is. @param {string} word @param {string[]} names @returns {string|null} */
 export function nearest(word, names) {
-  let best = null,
+  let /** @type {string|null} */ best = null,
     most = 0.6;
   for (const name of names) {
     const likeness = (2 * common(word, name)) / (word.length + name.length);

@@ -1,5 +1,7 @@
 // The pointer lock: the page gets the counts of the mouse instead of a cursor, until Escape or the page releases it.
 
+/** @typedef {{t: number, dx: number, dy: number, buttons: number}} Counts */
+
 const MOST_COUNTS = 32767;
 
 /** What a browser's counts are. */
@@ -20,7 +22,7 @@ async function request(element) {
     await promise;
     return "raw";
   } catch (error) {
-    if (error.name !== "NotSupportedError") throw error;
+    if (/** @type {Error} */ (error).name !== "NotSupportedError") throw error;
   }
   await element.requestPointerLock();
   return "accelerated";
@@ -40,11 +42,11 @@ export class PointerLock {
   #handlers;
   #rest = [0, 0];
   #last = -Infinity;
-  #end = null;
+  /** @type {AbortController|null} */ #end = null;
 
   /**
    * @param {HTMLElement} element
-   * @param {{onMove: (counts: {t: number, dx: number, dy: number, buttons: number}[]) => void, onPress: (t: number) => void,
+   * @param {{onMove: (counts: Counts[]) => void, onPress: (t: number) => void,
    *   onLock: () => void, onRelease: () => void}} handlers
    */
   constructor(element, handlers) {

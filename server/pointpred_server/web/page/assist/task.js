@@ -14,7 +14,7 @@ export class Task {
   /** The targets clicked: assisted or not, seconds, clicks beside it. @type {{assisted: boolean, seconds: number, missed: number}[]} */ done =
     [];
   #random;
-  #since = null;
+  /** @type {number|null} */ #since = null;
   #missed = 0;
   #number = 0;
 
@@ -23,7 +23,7 @@ export class Task {
     this.#random = random;
   }
 
-  /** Sets the next target, seen from the cursor in a field of this size; `always`: every target is assisted. */
+  /** Sets the next target, seen from the cursor in a field of this size; `always`: every target is assisted. @param {number[]} cursor @param {number[]} size @param {boolean} always */
   next([x, y], [width, height], always) {
     const distance = SHARE * Math.min(width, height);
     for (let turn = 0; turn < 9; turn += 1) {
@@ -52,7 +52,7 @@ export class Task {
     this.#since ??= t;
   }
 
-  /** A click at a point. @returns {boolean} whether it hit the target */
+  /** A click at a point. @param {number[]} point @param {number} t s @returns {boolean} whether it hit the target */
   press([x, y], t) {
     const { target } = this;
     if (Math.hypot(x - target.x, y - target.y) > target.width / 2) {

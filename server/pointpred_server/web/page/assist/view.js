@@ -14,22 +14,29 @@ const SHOWN_MS = 500; // a prediction is drawn for this long
 const ARM_PX = 9; // of the cursor
 const NUMBERS = { cpi: "Counts per inch", gain: "Gain" };
 
-const canvas = part("assist-scene"),
-  form = part("assist-form"),
-  select = part("assist-predictor"),
-  captureButton = part("assist-capture");
-const [message, results, invitation] = ["status", "results", "invitation"].map((of) => part(`assist-${of}`));
+/**
+ * @typedef {{cpi: number, gain: number, strength: number, alternate: boolean}} Settings `strength`: 0 to 1; `alternate`: half of the
+ *   targets are not assisted
+ * @typedef {HTMLFormElement & {elements: Record<keyof Settings, HTMLInputElement>}} AssistForm
+ */
+
+const canvas = /** @type {HTMLCanvasElement} */ (part("assist-scene")),
+  form = /** @type {AssistForm} */ (part("assist-form")),
+  select = /** @type {HTMLSelectElement} */ (part("assist-predictor")),
+  captureButton = /** @type {HTMLButtonElement} */ (part("assist-capture")),
+  results = /** @type {HTMLTableElement} */ (part("assist-results"));
+const [message, invitation] = ["status", "invitation"].map((of) => part(`assist-${of}`));
 const status = new ConnectionStatus(part("assist-connection"));
 const lock = new PointerLock(canvas, { onMove: move, onPress: press, onLock: begin, onRelease: end });
 const loop = new FrameLoop(draw);
 
 let task = new Task();
-let connection = null; // exists while the mouse is captured
-let cursor = null;
+/** @type {PredictorConnection|null} */ let connection = null; // exists while the mouse is captured
+/** @type {[number, number]|null} */ let cursor = null;
 let addedPx = 0;
 let assistedAt = -Infinity;
 let counts = "unknown";
-let settings = null; // of the form when its numbers were last valid
+/** @type {Settings|null} */ let settings = null; // of the form when its numbers were last valid
 let releaseText = ""; // why the mouse is released, if the person has not released it
 
 /** @param {string} text @param {"invalid"|"captured"|"refused"|"released"|"unsupported"} state */
@@ -38,7 +45,7 @@ function showMessage(text, state) {
   message.dataset.state = state;
 }
 
-/** The settings of the form; shows why and returns null if a number is not valid. */
+/** The settings of the form; shows why and returns null if a number is not valid. @returns {Settings|null} */
 function readSettings() {
   for (const [name, label] of Object.entries(NUMBERS)) {
     const { valueAsNumber: value, min, max } = form.elements[name];
@@ -67,32 +74,36 @@ async function capture(event) {
     canvas.dataset.counts = counts;
     if (lock.active) showTask();
   } catch (error) {
-    showMessage(`The browser did not let this page capture the mouse: ${error.message}`, "refused");
+    showMessage(
+      `The browser did not let this page capture the mouse: ${/** @type {Error} */ (error).message}`,
+      "refused",
+    );
   }
 }
 
 /** The mouse is captured: starts a session with the cursor in the middle of the field, and the first target. */
 function begin() {
-  const { cpi, gain, strength } = settings;
-  const size = [canvas.clientWidth, canvas.clientHeight];
-  cursor ??= size.map((each) => Math.round(each / 2));
-  cursor = cursor.map((each, axis) => Math.min(each, size[axis] - 1));
+  const { cpi, gain, strength } = /** @type {Settings} */ (settings);
+  const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+  const [x, y] = cursor ?? [Math.round(width / 2), Math.round(height / 2)];
+  cursor = [Math.min(x, width - 1), Math.min(y, height - 1)];
   addedPx = 0;
   connection = new PredictorConnection(
     select.value,
     { state: onState, cursor: moveCursor, error: (error) => !error.recoverable && release(error.message) },
-    { assist: { strength, gain }, device: { cpi }, screen: { width_px: size[0], height_px: size[1], dpi: 96 } },
+    { assist: { strength, gain }, device: { cpi }, screen: { width_px: width, height_px: height, dpi: 96 } },
   );
-  setNextTarget();
+  setNextTarget(connection, cursor);
   showTask();
   loop.start();
 }
 
-function setNextTarget() {
+/** @param {PredictorConnection} assisting @param {[number, number]} from */
+function setNextTarget(assisting, from) {
   settings = readSettings() ?? settings; // the keyboard can still change them
-  const { gain, strength, alternate } = settings;
-  task.next(cursor, [canvas.clientWidth, canvas.clientHeight], !alternate);
-  connection.setAssistance({ strength: task.assisted ? strength : 0, gain });
+  const { gain, strength, alternate } = /** @type {Settings} */ (settings);
+  task.next(from, [canvas.clientWidth, canvas.clientHeight], !alternate);
+  assisting.setAssistance({ strength: task.assisted ? strength : 0, gain });
 }
 
 function showTask() {
@@ -105,14 +116,17 @@ function showTask() {
   fillTable(results, task.table);
 }
 
+/** @param {import("./pointer-lock.js").Counts[]} samples */
 function move(samples) {
-  if (connection === null) return;
+  if (connection === null || cursor === null) return;
   for (const { t, dx, dy } of samples) if (dx || dy) task.move(t);
-  connection.send(samples.map(({ t, dx, dy, buttons }) => [t, ...cursor, dx, dy, buttons]));
+  const [x, y] = cursor;
+  connection.send(samples.map(({ t, dx, dy, buttons }) => [t, x, y, dx, dy, buttons]));
 }
 
+/** @param {number} t */
 function press(t) {
-  if (task.press(cursor, t)) setNextTarget();
+  if (connection !== null && cursor !== null && task.press(cursor, t)) setNextTarget(connection, cursor);
   showTask();
 }
 
@@ -130,7 +144,7 @@ function draw() {
   const { pen } = clearCanvas(canvas),
     { target: targetColour, endpoint, text, quiet, past } = colours();
   if (active) disc(pen, [target.x, target.y], target.width / 2, targetColour, true);
-  if (latest?.x != null) disc(pen, [latest.x, latest.y], 9, endpoint);
+  if (latest !== null && latest.x !== null && latest.y !== null) disc(pen, [latest.x, latest.y], 9, endpoint);
   if (cursor !== null) {
     const [x, y] = cursor,
       colour = active ? text : quiet;

@@ -6,6 +6,7 @@ import { clamp, disc, halo, line, MARKS } from "../drawing/marks.js";
 const HALO_PX = 6; // beyond the edge of the target
 const [THIN_PX, BROAD_PX] = [4, 8];
 
+/** @param {import("../drawing/marks.js").Pen} pen @param {import("../drawing/marks.js").Point} centre @param {number} reach @param {string} colour */
 function cross(pen, [x, y], reach, colour) {
   line(
     pen,
@@ -29,7 +30,7 @@ function cross(pen, [x, y], reach, colour) {
 
 /**
  * @param {HTMLCanvasElement} canvas
- * @param {{places: number[][], width: number, current: number | null, last: object | null, prediction: object | null,
+ * @param {{places: number[][], width: number, current: number | null, last: import("./task.js").Trial | null, prediction: import("../../lib/pointpred.js").Prediction | null,
  *   probabilities?: number[], proposed?: number | null}} scene `probabilities` of the targets are shown as the opacity of
  *   their halos; that of the proposed one is broad
  */
@@ -46,8 +47,8 @@ export function drawCircle(
     halo(pen, place, size / 2 + HALO_PX, endpoint, probabilities[i] ?? 0, i === proposed ? BROAD_PX : THIN_PX),
   );
   if (current !== null) cross(pen, places[current], Math.min(5, size / 5), panel);
-  if (last !== null) cross(pen, last.end.slice(1, 3), 4, last.hit ? quiet : endpoint);
-  if (prediction !== null && prediction.x !== null) {
+  if (last !== null) cross(pen, [last.end[1], last.end[2]], 4, last.hit ? quiet : endpoint);
+  if (prediction !== null && prediction.x !== null && prediction.y !== null) {
     MARKS[0].shape(pen, clamp([prediction.x, prediction.y], width, height), 9, markColour, false, 3);
   }
 }

@@ -39,7 +39,7 @@ function showBlocks(run) {
     "effective distance, px",
     "throughput, bits/s",
   ];
-  fillTable(part("circle-blocks"), [
+  fillTable(/** @type {HTMLTableElement} */ (part("circle-blocks")), [
     heads,
     ...run.blocks.map((block) => [
       String(block.block),
@@ -59,7 +59,7 @@ function linkFiles({ samples, trials }) {
     ["circle-samples", samples],
     ["circle-trials", trials],
   ].map(([id, { name, text }]) => {
-    const link = part(id);
+    const link = /** @type {HTMLAnchorElement} */ (part(id));
     link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
     link.download = name;
     return link.href;

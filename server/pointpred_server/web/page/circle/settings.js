@@ -2,6 +2,13 @@
 
 import { radiusFor } from "./geometry.js";
 
+/**
+ * @typedef {{targets: number, distance: number, width: number, blocks: number, centre: [number, number], most: number}} Settings
+ *   `most`: the longest distance that fits
+ * @typedef {HTMLFormElement & {elements: Record<"targets"|"distance"|"width"|"blocks"|"shown", HTMLInputElement> &
+ *   {predictor: HTMLSelectElement}}} CircleForm
+ */
+
 const NAMES = { targets: "Targets", distance: "Distance", width: "Width", blocks: "Blocks" };
 const MARGIN_PX = 6;
 const FALLBACK = { targets: 13, distance: 200, width: 30, blocks: 1 };
@@ -20,7 +27,7 @@ function problemWith(field, name) {
   return `${NAMES[name]} must be a whole number from ${min} to ${max}${Number(step) === 2 ? ", and odd" : ""}.`;
 }
 
-/** Sets the distance to the default, or to the longest that fits if that is shorter. */
+/** Sets the distance to the default, or to the longest that fits if that is shorter. @param {CircleForm} form @param {HTMLCanvasElement} canvas */
 export function fitDistance(form, canvas) {
   const { targets, width, distance } = form.elements;
   if (problemWith(targets, "targets") || problemWith(width, "width")) return;
@@ -47,20 +54,22 @@ function mark(field, wrong) {
   else field.removeAttribute("aria-describedby");
 }
 
-/** Whether every target of a run lies inside the picture. */
+/** Whether every target of a run lies inside the picture. @param {import("./task.js").CircleTask} task @param {HTMLCanvasElement} canvas */
 export function fitsPicture({ places, settings: { width } }, canvas) {
   return places.every(([x, y]) => Math.min(x, y, canvas.clientWidth - x, canvas.clientHeight - y) >= width / 2);
 }
 
 /**
- * @returns {{settings: {targets: number, distance: number, width: number, blocks: number, centre: [number, number], most: number},
- *   problem: string | null, field: HTMLInputElement | null}} settings that can be drawn in any case; `problem` says why they cannot be used, and
- *   `field` is the first wrong one; `most` is the longest distance that fits
+ * @param {CircleForm} form @param {HTMLCanvasElement} canvas
+ * @returns {{settings: Settings, problem: string | null, field: HTMLInputElement | null}} settings that can be drawn in any case;
+ *   `problem` says why they cannot be used, and `field` is the first wrong one
  */
 export function readSettings(form, canvas) {
-  let problem = null,
-    first = null;
-  const settings = { centre: [Math.round(canvas.clientWidth / 2), Math.round(canvas.clientHeight / 2)] };
+  let /** @type {string|null} */ problem = null,
+    /** @type {HTMLInputElement|null} */ first = null;
+  const settings = /** @type {Settings} */ ({
+    centre: [Math.round(canvas.clientWidth / 2), Math.round(canvas.clientHeight / 2)],
+  });
   for (const name of Object.keys(NAMES)) {
     const field = form.elements[name];
     const wrong = problemWith(field, name);

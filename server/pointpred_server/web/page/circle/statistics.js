@@ -15,6 +15,7 @@ function deviation(values) {
   return Math.sqrt(values.reduce((sum, value) => sum + (value - middle) ** 2, 0) / (values.length - 1));
 }
 
+/** @param {import("./task.js").Row} row */
 const place = ([, x, y]) => [x, y];
 
 /**
@@ -35,7 +36,8 @@ export function blockStatistics(trials) {
   const movementTime = mean(trials.map(({ start, end }) => end[0] - start[0]));
   const effectiveDistance = mean(ends.map((end, i) => end - starts[i]));
   const effectiveWidth = trials.length > 1 ? WIDTH_IN_SDS * deviation(offsets) : null;
-  const sound = effectiveDistance > 0 && effectiveWidth > LEAST_SPREAD * effectiveDistance && movementTime > 0;
+  const isSpread = effectiveWidth !== null && effectiveWidth > LEAST_SPREAD * effectiveDistance;
+  const sound = effectiveDistance > 0 && isSpread && movementTime > 0;
   const throughput = sound ? Math.log2(effectiveDistance / effectiveWidth + 1) / movementTime : null;
   return { ...counted, movementTime, effectiveWidth, effectiveDistance, throughput };
 }

@@ -3,8 +3,8 @@
 import { circle } from "./geometry.js";
 
 /**
- * @typedef {[number, number, number, number|null, number|null, number]} Row t s, x px, y px, counts, buttons
- * @typedef {{x: number, y: number, width: number}} Goal
+ * @typedef {import("../../lib/pointpred.js").EventRow} Row
+ * @typedef {import("../../lib/pointpred.js").Goal} Goal
  * @typedef {{block: number, number: number, from: [number, number], target: [number, number], width: number,
  *   distance: number, start: Row, end: Row, hit: boolean, rows: Row[]}} Trial `rows`: after `start`, up to `end`
  */
@@ -15,7 +15,7 @@ export class CircleTask {
   /** Presses beside the first target of a block, which do not begin it. */ misplaced = 0;
   block = 1;
   done = false;
-  #startRow = null;
+  /** @type {Row|null} */ #startRow = null;
   #rows = [];
   #position = 0;
 
@@ -72,6 +72,7 @@ export class CircleTask {
     return trial;
   }
 
+  /** @param {Row} row */
   #isHit([, x, y]) {
     const goal = this.goal;
     return Math.hypot(x - goal.x, y - goal.y) <= goal.width / 2;
@@ -91,6 +92,7 @@ export class CircleTask {
     else this.block += 1;
   }
 
+  /** @param {Row} row @returns {Trial} */
   #trial(row) {
     const { width, distance } = this.settings;
     return {
@@ -100,7 +102,7 @@ export class CircleTask {
       target: this.places[this.current],
       width,
       distance,
-      start: this.#startRow,
+      start: /** @type {Row} */ (this.#startRow),
       end: row,
       hit: this.#isHit(row),
       rows: this.#rows,

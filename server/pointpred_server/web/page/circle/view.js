@@ -25,18 +25,21 @@ const CANCELLED = {
   place: "The run was cancelled because you changed where predictions are made.",
 };
 
-const [canvas, form, startButton, stopButton] = ["circle-scene", "circle-form", "circle-start", "circle-stop"].map(
-  part,
-);
-const [runStatus, progress, ledgerLine] = ["circle-status", "circle-progress", "circle-ledger"].map(part);
+/** @typedef {"ready"|"invalid"|"waiting"|"running"|"done"|"stopped"|"cancelled"} RunState */
+
+const canvas = /** @type {HTMLCanvasElement} */ (part("circle-scene"));
+const form = /** @type {import("./settings.js").CircleForm} */ (part("circle-form"));
+const [startButton, stopButton] = /** @type {HTMLButtonElement[]} */ (["circle-start", "circle-stop"].map(part));
+const progress = /** @type {HTMLProgressElement} */ (part("circle-progress"));
+const [runStatus, ledgerLine] = ["circle-status", "circle-ledger"].map(part);
 const status = new ConnectionStatus(part("circle-connection"));
-const rows = new CircleRows(part("circle-rows"));
+const rows = new CircleRows(/** @type {HTMLTableSectionElement} */ (part("circle-rows")));
 const choices = new CircleChoices();
 const loop = new FrameLoop(frame);
 
 let active = false;
 let filled = false; // whether the predictors are offered
-let run = { text: runStatus.textContent, state: "ready" }; // what is shown of the run
+/** @type {{text: string, state: RunState}} */ let run = { text: runStatus.textContent, state: "ready" }; // what is shown of the run
 let edited = false; // whether the person has set the distance
 let started = false; // whether the session knows where the current movement began
 /** @type {PredictorConnection|null} */ let connection = null;
@@ -45,30 +48,31 @@ let ledger = new Ledger();
 
 const isRunning = () => task !== null && !task.done;
 
+/** @param {import("./task.js").Row[]} events */
 function move(events) {
-  if (!isRunning()) return;
+  if (task === null || task.done) return;
   task.move(events);
   connection?.send(events);
 }
 
-/** A press selects a target; a finger selects by lifting, because it has no path before it touches. */
+/** A press selects a target; a finger selects by lifting, because it has no path before it touches. @param {import("./task.js").Row} row */
 function select(row) {
-  if (!isRunning()) return;
+  if (task === null || task.done) return;
   const trial = task.select(row);
   if (trial !== null) {
-    if (started) connection.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
+    if (started) connection?.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
     rows.add(trial, started);
   }
   started = task.running && connection?.state === "open";
-  if (started) connection.trial("start", task.goal);
+  if (started) connection?.trial("start", task.goal);
   canvas.dataset.target = JSON.stringify(task.done ? null : { ...task.goal, running: task.running });
-  showProgress();
-  if (task.done) finish();
+  showProgress(task);
+  if (task.done) finish(task);
 }
 
 /**
  * Shows how the run stands; between runs, that nothing can be predicted if so.
- * @param {string} [text] @param {"ready"|"invalid"|"waiting"|"running"|"done"|"stopped"|"cancelled"} [state]
+ * @param {string} [text] @param {RunState} [state]
  */
 function showRunStatus(text = run.text, state = run.state) {
   run = { text, state };
@@ -77,18 +81,16 @@ function showRunStatus(text = run.text, state = run.state) {
   runStatus.dataset.state = down ? "down" : state;
 }
 
-function showProgress() {
-  const misses = task.trials.filter(({ hit }) => !hit).length;
-  progress.max = task.total;
-  progress.value = task.trials.length;
-  const counts = `${task.trials.length} of ${task.total} movements, ${misses} missed`;
-  if (task.done) showRunStatus(`Done: ${counts}. The result is below.`, "done");
-  else if (!task.running)
-    showRunStatus(
-      `Block ${task.block} of ${task.settings.blocks}: click the filled target to begin. ${counts}.`,
-      "waiting",
-    );
-  else showRunStatus(`Block ${task.block} of ${task.settings.blocks}: ${counts}.`, "running");
+/** @param {CircleTask} shown */
+function showProgress({ block, done, running, settings, total, trials }) {
+  const misses = trials.filter(({ hit }) => !hit).length;
+  progress.max = total;
+  progress.value = trials.length;
+  const counts = `${trials.length} of ${total} movements, ${misses} missed`;
+  if (done) showRunStatus(`Done: ${counts}. The result is below.`, "done");
+  else if (!running)
+    showRunStatus(`Block ${block} of ${settings.blocks}: click the filled target to begin. ${counts}.`, "waiting");
+  else showRunStatus(`Block ${block} of ${settings.blocks}: ${counts}.`, "running");
 }
 
 function onState(state) {
@@ -108,6 +110,7 @@ function onScore(score) {
   write(ledgerLine, accountOf(ledger));
 }
 
+/** @param {string} predictor */
 function connectWith(predictor) {
   if (connection?.predictor === predictor && connection.state !== "closed") return;
   connection?.close();
@@ -129,7 +132,7 @@ function start() {
   const { settings, problem, field } = readSettings(form, canvas);
   if (problem) {
     showRunStatus(problem, "invalid");
-    field.focus();
+    field?.focus();
     return;
   }
   task = new CircleTask(settings);
@@ -137,12 +140,12 @@ function start() {
   ledger = new Ledger();
   write(ledgerLine, "");
   connectWith(form.elements.predictor.value);
-  choices.register(connection, task.places, settings.width);
+  if (connection !== null) choices.register(connection, task.places, settings.width);
   setRunning(true);
   started = false;
-  canvas.parentElement.scrollIntoView({ block: "nearest" });
+  canvas.parentElement?.scrollIntoView({ block: "nearest" });
   canvas.dataset.target = JSON.stringify({ ...task.goal, running: false });
-  showProgress();
+  showProgress(task);
 }
 
 function setRunning(running) {
@@ -150,14 +153,14 @@ function setRunning(running) {
   startButton.textContent = running ? "Start again" : "Start";
   stopButton.disabled = !running;
   part("circle-invitation").classList.toggle("away", running);
-  for (const field of form.elements)
+  for (const field of /** @type {Iterable<HTMLInputElement>} */ (form.elements))
     if (!["circle-start", "circle-stop"].includes(field.id) && field.name !== "shown") field.disabled = running;
 }
 
 /** Ends the run early. @param {string} reason a sentence to add */
 function stop(reason = "") {
-  if (!isRunning()) return;
-  const trials = task.trials;
+  if (task === null || task.done) return;
+  const { trials } = task;
   task = null;
   setRunning(false);
   showRunStatus(
@@ -167,24 +170,25 @@ function stop(reason = "") {
   if (trials.length > 1) showResult(trials);
 }
 
-function finish() {
+/** @param {CircleTask} ended */
+function finish({ trials }) {
   setRunning(false);
-  showResult(task.trials);
+  showResult(trials);
 }
 
 function frame() {
   const { settings, problem } = readSettings(form, canvas);
   const scene = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
-  const running = isRunning(),
+  const running = task !== null && !task.done,
     showsPrediction = running && form.elements.shown.checked;
   write(part("circle-warning"), problem || running ? "" : overlapWarning(settings));
-  const recent = connection !== null && performance.now() - connection.at < SHOWN_MS;
+  const recent = connection !== null && performance.now() - connection.at < SHOWN_MS ? connection.latest : null;
   drawCircle(canvas, {
     places: scene.places,
     width: scene.settings.width,
-    current: running ? task.current : null,
+    current: task !== null && running ? task.current : null,
     last: task?.trials[task.trials.length - 1] ?? null,
-    prediction: showsPrediction && recent ? connection.latest : null,
+    prediction: showsPrediction ? recent : null,
     probabilities: showsPrediction ? choices.probabilities : [],
     proposed: choices.proposed,
   });
@@ -193,7 +197,7 @@ function frame() {
 /** The window has another size: a run whose circle no longer fits is stopped. */
 function onResize() {
   if (!active) return;
-  if (!isRunning()) updateDistance();
+  if (task === null || task.done) updateDistance();
   else if (!fitsPicture(task, canvas)) stop(" The window has become too small for this circle.");
 }
 
@@ -208,7 +212,7 @@ export async function open() {
   updateDistance();
   loop.start();
   const listing = await predictors();
-  if (!filled) fillSelect(part("circle-predictor"), listing.predictors, listing.recommended);
+  if (!filled) fillSelect(form.elements.predictor, listing.predictors, listing.recommended);
   filled = true;
   showRunStatus();
   if (active) connectWith(form.elements.predictor.value);
@@ -228,7 +232,10 @@ export function close(reason = "view") {
 }
 
 if (window.matchMedia("(pointer: coarse)").matches) {
-  write(part("circle-invitation").querySelector("span"), "drag to each next one and lift your finger on it");
+  write(
+    /** @type {Element} */ (part("circle-invitation").querySelector("span")),
+    "drag to each next one and lift your finger on it",
+  );
 }
 form.addEventListener("submit", (event) => {
   event.preventDefault();

@@ -24,21 +24,22 @@ export class Camera {
     );
     if (fitting < this.scale || fitting > this.scale * STEP * STEP)
       this.scale = Math.min(1, STEP ** Math.floor(Math.log(fitting) / Math.log(STEP) + 1e-9));
+    /** @param {import("../drawing/marks.js").Point} corner @param {number} share */
     const inPicture = ([x, y], share) =>
       Math.abs(x - this.#centre[0]) * this.scale < (share * width) / 2 &&
       Math.abs(y - this.#centre[1]) * this.scale < (share * height) / 2;
     if (!inPicture([left, top], 0.95) || !inPicture([right, bottom], 0.95))
       this.#centre = [(left + right) / 2, (top + bottom) / 2];
-    this.width = width;
-    this.height = height;
+    /** @type {number} */ this.width = width;
+    /** @type {number} */ this.height = height;
   }
 
-  /** A point of the plane in px of the picture. */
+  /** A point of the plane in px of the picture. @param {import("../drawing/marks.js").Point} point */
   place([x, y]) {
     return [(x - this.#centre[0]) * this.scale + this.width / 2, (y - this.#centre[1]) * this.scale + this.height / 2];
   }
 
-  /** A mark of the plane as it appears in the picture. @param {import("../live/picture.js").Mark} mark */
+  /** A mark of the plane as it appears in the picture. @param {import("../live/picture.js").Mark} mark @returns {import("../live/picture.js").Mark} */
   project({ prediction, regions, opacity }) {
     const [x, y] = this.place([prediction.x, prediction.y]);
     return {

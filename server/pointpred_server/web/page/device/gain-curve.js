@@ -18,7 +18,7 @@ const series = (label, colour, dash, width, points) => ({
 export class GainCurve {
   #box;
   #plot;
-  #excited = null;
+  /** @type {number[]|null} */ #excited = null;
 
   /** @param {HTMLElement} box */
   constructor(box) {
@@ -46,7 +46,10 @@ export class GainCurve {
     );
   }
 
-  /** @param {{speeds: number[], gains: number[], excited: number[]|null, measured_speeds: number[], measured_gains: number[], compared: object[]}} curve */
+  /**
+   * @param {{speeds: number[], gains: number[], excited: number[]|null, measured_speeds: number[], measured_gains: number[],
+   *   compared: {kind: string, gains: number[]}[]}} curve
+   */
   show({ speeds, gains, excited, measured_speeds: measuredSpeeds, measured_gains: measuredGains, compared }) {
     this.#excited = excited;
     const gainsOf = (kind) => compared.find((one) => one.kind === kind)?.gains ?? [];
@@ -62,14 +65,14 @@ export class GainCurve {
       onAll(speeds, gainsOf("sigmoid")),
       onAll(speeds, gains),
     ]);
-    this.#box.dataset.points = speeds.length;
+    this.#box.dataset.points = String(speeds.length);
   }
 
   fit() {
     this.#plot.fit();
   }
 
-  /** Shades the range of speeds that were used. */
+  /** Shades the range of speeds that were used. @param {import("../vendor/uPlot.esm.js").default} plot */
   #shadeExcited(plot) {
     if (this.#excited === null) return;
     const { top, height } = plot.bbox;

@@ -13,7 +13,7 @@ export class DeviceStream {
   #handlers;
   #socket;
 
-  /** @param {Object<string, (message: object) => void>} handlers by the type of a message; `state` for that of the connection */
+  /** @param {Object<string, (message: any) => void>} handlers by the type of a message; `state` for that of the connection */
   constructor(handlers) {
     this.#handlers = handlers;
     this.#socket = new RetryingSocket(() => socketAddress("/v1/live", token), {
@@ -22,7 +22,7 @@ export class DeviceStream {
         this.#setState("open");
       },
       onMessage: (data) => {
-        const message = JSON.parse(data);
+        const message = JSON.parse(/** @type {string} */ (data));
         this.#handlers[message.type]?.(message);
       },
       onClose: () => {

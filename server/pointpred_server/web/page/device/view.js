@@ -5,7 +5,7 @@ import { drawLegends } from "../drawing/legend.js";
 import { SmoothRegions } from "../drawing/regions.js";
 import { drawLive, recentPart } from "../live/picture.js";
 import { markOf, opacityAfter, PredictionFields, publishDrawn, publishRegions } from "../live/prediction.js";
-import { part, sentence, write } from "../shell/elements.js";
+import { cellsOf, part, sentence, write } from "../shell/elements.js";
 import { number, percent } from "../shell/numbers.js";
 import { Camera } from "./camera.js";
 import { GainCurve } from "./gain-curve.js";
@@ -17,21 +17,19 @@ const NUMBERS_MS = 120;
 const NO_TILES = { list: [], opacities: {}, proposed: null };
 const LOSSES = { lost: "lost", unreadable: "unreadable", refused: "refused", resynchronised: "gaps in the kernel" };
 
-const canvas = part("device-scene");
+const canvas = /** @type {HTMLCanvasElement} */ (part("device-scene"));
 const status = part("device-status");
 const link = part("device-link");
-const cells = Object.fromEntries(
-  [...part("live-device").querySelectorAll("[data-of]")].map((cell) => [cell.dataset.of, cell]),
-);
+const cells = cellsOf(part("live-device"));
 const fields = new PredictionFields(part("live-device"));
 const loop = new FrameLoop(frame);
 
-let stream = null;
-let curve = null;
+/** @type {DeviceStream|null} */ let stream = null;
+/** @type {GainCurve|null} */ let curve = null;
 let camera = new Camera();
 let active = false; // whether the view is open
 let trail = [];
-let newest = null; // [prediction, ms]
+/** @type {[import("../service/predictor-connection.js").Prediction, number]|null} */ let newest = null; // and when, ms
 let regions = new SmoothRegions(); // in px of the device's plane
 let clockOffset = 0; // s from the page's clock to the device's
 let writeAt = 0;
@@ -60,7 +58,7 @@ const handlers = {
       trail.push([t, x, y]);
     }
     trail.splice(0, trail.length - MOST_POINTS); // a hidden page draws no frames, which would shorten it
-    canvas.dataset.events = Number(canvas.dataset.events ?? 0) + events.length;
+    canvas.dataset.events = String(Number(canvas.dataset.events ?? 0) + events.length);
   },
   prediction: (message) => {
     newest = [message, performance.now()];
@@ -78,7 +76,7 @@ const handlers = {
     else showStatus("Unplugged: waiting for the device to come back.", "unplugged");
   },
   transfer: ({ curve: measured, words }) => {
-    if (measured !== null) curve.show(measured);
+    if (measured !== null) curve?.show(measured);
     write(part("device-gain-summary"), measured === null ? sentence(words) : gainSummary(measured));
   },
   error: ({ message }) => showStatus(sentence(message), "error"),
@@ -107,8 +105,8 @@ function frame(now) {
 
 /** The newest prediction as it is drawn, in px of the device's plane. */
 function currentMark(now) {
-  const isOpen = newest !== null && stream.state === "open";
-  return markOf(isOpen ? newest[0] : null, regions, now, isOpen ? opacityAfter(performance.now() - newest[1]) : 0);
+  const [prediction, at] = newest !== null && stream?.state === "open" ? newest : [null, -Infinity];
+  return markOf(prediction, regions, now, opacityAfter(performance.now() - at));
 }
 
 function draw(seconds, mark) {

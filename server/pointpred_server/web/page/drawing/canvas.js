@@ -15,6 +15,7 @@ const NAMES = [
   "corrective",
 ];
 
+/** @type {Object<string, string>|null} */
 let current = null;
 const listeners = [];
 
@@ -42,7 +43,7 @@ window.addEventListener("resize", repaint);
 /** Whether the person has asked for less motion. */
 export const prefersLessMotion = () => window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-/** Clears a canvas and makes it sharp on any display; lengths are CSS pixels. */
+/** Clears a canvas and makes it sharp on any display; lengths are CSS pixels. @param {HTMLCanvasElement} canvas */
 export function clearCanvas(canvas) {
   const ratio = window.devicePixelRatio || 1;
   const width = canvas.clientWidth,
@@ -50,7 +51,7 @@ export function clearCanvas(canvas) {
   const columns = Math.round(width * ratio),
     rows = Math.round(height * ratio);
   if (canvas.width !== columns || canvas.height !== rows) [canvas.width, canvas.height] = [columns, rows];
-  const pen = canvas.getContext("2d");
+  const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
   pen.clearRect(0, 0, width, height);
   pen.lineJoin = pen.lineCap = "round";

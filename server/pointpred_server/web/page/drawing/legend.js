@@ -52,10 +52,12 @@ const SYMBOLS = {
 
 /** Draws the symbols that are visible; it is called again whenever theme or size change. */
 export function drawLegends() {
-  for (const canvas of document.querySelectorAll("canvas[data-swatch]")) {
+  for (const canvas of /** @type {NodeListOf<HTMLCanvasElement>} */ (
+    document.querySelectorAll("canvas[data-swatch]")
+  )) {
     if (canvas.clientWidth === 0) continue;
     const { pen, width, height } = clearCanvas(canvas);
-    SYMBOLS[canvas.dataset.swatch](pen, width, height);
+    SYMBOLS[String(canvas.dataset.swatch)](pen, width, height);
   }
 }
 

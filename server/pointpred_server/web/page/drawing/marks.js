@@ -2,7 +2,12 @@
 
 import { colours } from "./canvas.js";
 
-/** A line through points [x, y]. */
+/**
+ * @typedef {CanvasRenderingContext2D} Pen
+ * @typedef {number[]} Point x, y
+ */
+
+/** A line through points. @param {Pen} pen @param {Point[]} points @param {string} colour @param {number} width @param {number[]} [dash] */
 export function line(pen, points, colour, width, dash = []) {
   if (points.length < 2) return;
   pen.strokeStyle = colour;
@@ -21,14 +26,14 @@ function paint(pen, colour, filled, width) {
   else pen.stroke();
 }
 
-/** A disc, or a ring if it is not filled. */
+/** A disc, or a ring if it is not filled. @param {Pen} pen @param {Point} centre @param {number} radius @param {string} colour */
 export function disc(pen, [x, y], radius, colour, filled = false, width = 2) {
   pen.beginPath();
   pen.arc(x, y, radius, 0, 2 * Math.PI);
   paint(pen, colour, filled, width);
 }
 
-/** A square on its corner. */
+/** A square on its corner. @param {Pen} pen @param {Point} centre @param {number} radius @param {string} colour */
 function diamond(pen, [x, y], radius, colour, filled = false, width = 2) {
   pen.beginPath();
   pen.moveTo(x, y - radius);
@@ -39,7 +44,7 @@ function diamond(pen, [x, y], radius, colour, filled = false, width = 2) {
   paint(pen, colour, filled, width);
 }
 
-/** A ring with an opacity from 0 to 1. */
+/** A ring with an opacity from 0 to 1. @param {Pen} pen @param {Point} centre @param {number} radius @param {string} colour @param {number} opacity */
 export function halo(pen, centre, radius, colour, opacity, width = 4) {
   if (!(opacity > 0)) return;
   pen.save();
@@ -59,13 +64,15 @@ export function tile(pen, { x, y, width, height }, colour, border, opacity, high
   paint(pen, highlighted ? colour : border, false, highlighted ? 4 : 1.5);
 }
 
-/** The marks of the first and the second predictor: they differ in shape as well as in colour. */
+/** @typedef {{shape: typeof disc, colour: string, dash: number[], outline: number[]}} Mark of a predictor */
+
+/** The marks of the first and the second predictor: they differ in shape as well as in colour. @type {Mark[]} */
 export const MARKS = [
   { shape: disc, colour: "endpoint", dash: [4, 5], outline: [] },
   { shape: diamond, colour: "second", dash: [1, 5], outline: [6, 4] },
 ];
 
-/** A predicted endpoint: the mark of a predictor, and a dashed line to it. @param {number} which of the predictors */
+/** A predicted endpoint: the mark of a predictor, and a dashed line to it. @param {Pen} pen @param {number} which of the predictors @param {Point|undefined} from @param {Point} endpoint */
 export function drawEndpoint(pen, which, from, endpoint) {
   const { shape, colour, dash } = MARKS[which],
     { [colour]: own, panel } = colours();
@@ -77,7 +84,7 @@ export function drawEndpoint(pen, which, from, endpoint) {
 
 const TEXT_AT = [16, -16]; // from the mark that it belongs to
 
-/** Words beside a mark, on a rim of the panel's colour. */
+/** Words beside a mark, on a rim of the panel's colour. @param {Pen} pen @param {string} text @param {Point} mark */
 export function label(pen, text, [x, y]) {
   pen.font = "600 13px system-ui, sans-serif";
   pen.strokeStyle = colours().panel;
@@ -85,12 +92,12 @@ export function label(pen, text, [x, y]) {
   pen.lineWidth = 4;
   pen.textAlign = x + 60 > pen.canvas.clientWidth ? "right" : "left";
   const side = pen.textAlign === "right" ? -1 : 1,
-    at = [x + side * TEXT_AT[0], Math.max(y + TEXT_AT[1], 12)];
+    /** @type {[number, number]} */ at = [x + side * TEXT_AT[0], Math.max(y + TEXT_AT[1], 12)];
   pen.strokeText(text, ...at);
   pen.fillText(text, ...at);
 }
 
-/** The point nearest to another inside a picture: what lies outside is drawn at its edge. */
+/** The point nearest to another inside a picture: what lies outside is drawn at its edge. @param {Point} point @param {number} width @param {number} height */
 export function clamp([x, y], width, height, margin = 9) {
   return [Math.min(width - margin, Math.max(margin, x)), Math.min(height - margin, Math.max(margin, y))];
 }

@@ -13,9 +13,10 @@ const OUTLINE_RANGE = { inner: [0.7, 1], outer: [1, 1.6] };
 /**
  * @typedef {{x: number, y: number, major: number, minor: number, angle: number}} Region half axes in px, angle in radians
  * @typedef {{inner: Region, outer: Region}} Regions of 50 % and of 80 %
+ * @typedef {Pick<import("../../lib/pointpred.js").Prediction, "x"|"y"|"region">} Predicted
  */
 
-/** The regions of a prediction; null if it claims none. @returns {Regions|null} */
+/** The regions of a prediction; null if it claims none. @param {Predicted|null|undefined} prediction @returns {Regions|null} */
 export function regionsOf(prediction) {
   if (prediction == null || prediction.x === null || !prediction.region) return null;
   const [inner, outer] = [0.5, 0.8].map((level) => regionOf(prediction, level));
@@ -41,7 +42,7 @@ export function outlinesOf(mixture) {
   return outlined.get(mixture);
 }
 
-/** The regions as they appear in a picture. @param {Regions|null} regions @param {number} scale @param {(point: number[]) => number[]} place */
+/** The regions as they appear in a picture. @param {Regions|null} regions @param {number} scale @param {(point: import("./marks.js").Point) => import("./marks.js").Point} place */
 export function projectRegions(regions, scale, place) {
   const project = ({ x, y, major, minor, angle }) => {
     const [left, top] = place([x, y]);
@@ -52,11 +53,11 @@ export function projectRegions(regions, scale, place) {
 
 /** Smooths the regions of one predictor over time, on a logarithmic scale, so that their size does not flicker. */
 export class SmoothRegions {
-  #state = null;
+  /** @type {ReturnType<typeof encode>|null} */ #state = null;
   #at = 0;
 
   /**
-   * The regions to draw now. @param {object|null} prediction @param {number} now ms
+   * The regions to draw now. @param {Predicted|null} prediction @param {number} now ms
    * @param {boolean} still without a transition @returns {Regions|null}
    */
   update(prediction, now, still = false) {
@@ -65,7 +66,7 @@ export class SmoothRegions {
     else if (this.#state === null || still) this.#state = encode(target);
     else this.#state = approach(this.#state, encode(target), now - this.#at);
     this.#at = now;
-    return this.#state === null ? null : decode(this.#state, prediction);
+    return this.#state === null || target === null ? null : decode(this.#state, target.inner);
   }
 }
 
@@ -88,7 +89,7 @@ function decode({ logs, cos, sin }, { x, y }) {
   return { inner: { x, y, major: a, minor: b, angle }, outer: { x, y, major: c, minor: d, angle } };
 }
 
-/** The opacity of a part of a region: full up to a share of the picture's diagonal, none beyond another. */
+/** The opacity of a part of a region: full up to a share of the picture's diagonal, none beyond another. @param {Region} region @param {number} width @param {number} height @param {number[]} range */
 function opacityOf({ major }, width, height, [full, none]) {
   const length = (2 * major) / Math.hypot(width, height);
   return Math.max(0, Math.min(1, (none - length) / (none - full)));
@@ -106,8 +107,9 @@ function trace(pen, polygon) {
 
 /**
  * Draws the regions of a predictor.
- * @param {Regions|null} regions @param {{colour: string, outline: number[]}} mark of the predictor @param {number} opacity 0 to 1
- * @param {[number, number][][][]|null} outlines drawn instead of the ellipses, inner and outer
+ * @param {import("./marks.js").Pen} pen @param {Regions|null} regions @param {import("./marks.js").Mark} mark of the predictor
+ * @param {number} width @param {number} height of the picture, px @param {number} opacity 0 to 1
+ * @param {[number, number][][][]|null} [outlines] drawn instead of the ellipses, inner and outer
  */
 export function drawRegions(pen, regions, { colour, outline }, width, height, opacity = 1, outlines = null) {
   if (regions === null) return;
@@ -116,10 +118,16 @@ export function drawRegions(pen, regions, { colour, outline }, width, height, op
   pen.strokeStyle = pen.fillStyle = colours()[colour];
   pen.setLineDash(outline);
   const [within, around] = outlines ?? [];
-  for (const [region, polygons, outlineRange, fill, thickness] of [
+  for (const [
+    region,
+    polygons,
+    outlineRange,
+    fill,
+    thickness,
+  ] of /** @type {[Region, number[][][]|undefined, number[], number, number][]} */ ([
     [outer, around, OUTLINE_RANGE.outer, 0, 1],
     [inner, within, OUTLINE_RANGE.inner, FILL, 1.5],
-  ]) {
+  ])) {
     pen.beginPath();
     if (polygons === undefined)
       pen.ellipse(region.x, region.y, region.major, region.minor, region.angle, 0, 2 * Math.PI);

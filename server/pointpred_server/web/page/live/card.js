@@ -19,17 +19,17 @@ export class LiveCard {
 
   /**
    * @param {HTMLElement} card @param {HTMLDetailsElement} parameters
-   * @param {(prediction: object, name: string) => void} onPrediction is called with each, and with its predictor
-   * @param {{choice?: (one: object) => void}} handlers @param {import("../../lib/pointpred.js").Options} options of the connection
+   * @param {(prediction: import("../../lib/pointpred.js").Prediction, name: string) => void} onPrediction is called with each, and with its predictor
+   * @param {import("../service/predictor-connection.js").Handlers} handlers @param {import("../../lib/pointpred.js").Options} options of the connection
    */
   constructor(card, parameters, onPrediction, handlers = {}, options = {}) {
     this.#options = options;
     this.#card = card;
-    this.select = card.querySelector("select");
+    this.select = /** @type {HTMLSelectElement} */ (card.querySelector("select"));
     this.fields = new PredictionFields(card);
-    this.#status = new ConnectionStatus(card.querySelector(".connection"));
+    this.#status = new ConnectionStatus(/** @type {HTMLElement} */ (card.querySelector(".connection")));
     this.#handlers = {
-      prediction: (one) => onPrediction(one, this.connection.activePredictor),
+      prediction: (one) => onPrediction(one, /** @type {PredictorConnection} */ (this.connection).activePredictor),
       state: () => this.#showStatus(),
       error: (one) => this.#showError(one),
       ...handlers,
@@ -44,7 +44,7 @@ export class LiveCard {
     return this.#predictors.length > 0;
   }
 
-  /** Fills the select. @param {object[]} predictors @param {string} selected @param {string|null} none label of an empty choice */
+  /** Fills the select. @param {import("../service/listing.js").Listed[]} predictors @param {string} selected @param {string|null} none label of an empty choice */
   fill(predictors, selected, none = null) {
     fillSelect(this.select, predictors, selected, none);
     this.#predictors = predictors;
@@ -66,13 +66,8 @@ export class LiveCard {
 
   /** The newest prediction as it is drawn; null once it is too old or the movement is over. */
   mark(now) {
-    const isOpen = this.connection?.state === "open";
-    return markOf(
-      isOpen ? this.connection.latest : null,
-      this.#regions,
-      now,
-      isOpen ? opacityAfter(performance.now() - this.connection.at) : 0,
-    );
+    const { latest, at } = this.connection?.state === "open" ? this.connection : { latest: null, at: -Infinity };
+    return markOf(latest, this.#regions, now, opacityAfter(performance.now() - at));
   }
 
   #choose() {

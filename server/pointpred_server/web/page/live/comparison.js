@@ -1,20 +1,22 @@
 // The same movements predicted in the page and by the service: how far the predictions are apart, and how late they are.
 
 import { PredictorConnection } from "../service/predictor-connection.js";
-import { part, write } from "../shell/elements.js";
+import { cellsOf, part, write } from "../shell/elements.js";
 import { median, number } from "../shell/numbers.js";
 
 const EQUAL_PX = 1e-6; // sums are rounded differently
 const MOST_DELAYS = 100;
-const PLACES = ["page", "service"];
+const PLACES = /** @type {const} */ (["page", "service"]);
+
+/** @typedef {{predictor: string, parameters: Object<string, number>}} Settings */
 
 /** Predictions of two sessions for the same events, paired by their times: how far they are apart. */
 export class Pairs {
   /** Events that both have answered. */ count = 0;
   /** The largest distance of their endpoints, px; Infinity where only one of them has an endpoint. */ largestPx = 0;
-  #waiting = [[], []];
+  /** @type {import("../../lib/pointpred.js").Prediction[][]} */ #waiting = [[], []];
 
-  /** Adds a prediction; those of a session come in the order of its events. @param {0|1} which session @param {import("../../lib/pointpred.js").Prediction} prediction */
+  /** Adds a prediction; those of a session come in the order of its events. @param {number} which session @param {import("../../lib/pointpred.js").Prediction} prediction */
   add(which, prediction) {
     this.#waiting[which].push(prediction);
     const [first, second] = this.#waiting;
@@ -40,7 +42,7 @@ class Side {
   #ends = new Set();
   #delays = [];
 
-  /** @param {"page"|"service"} place @param {{predictor: string, parameters: object}} settings @param {{state: () => void, prediction: (one: object) => void}} handlers */
+  /** @param {"page"|"service"} place @param {Settings} settings @param {{state: () => void, prediction: (one: import("../../lib/pointpred.js").Prediction) => void}} handlers */
   constructor(place, { predictor, parameters }, { state, prediction }) {
     this.#connection = new PredictorConnection(
       predictor,
@@ -77,19 +79,17 @@ class Side {
 /** Compares while its box is ticked, over two connections of its own: both then know the same movements. */
 export class Comparison {
   #settings;
-  #box = part("live-compare");
+  #box = /** @type {HTMLInputElement} */ (part("live-compare"));
   #shown = part("live-compared");
   #text = part("live-compare-status");
-  #numbers = Object.fromEntries(
-    [...PLACES, "events", "apart"].map((of) => [of, this.#shown.querySelector(`[data-of=${of}]`)]),
-  );
-  #sides = null;
+  #numbers = cellsOf(this.#shown);
+  /** @type {Side[]|null} */ #sides = null;
   #pairs = new Pairs();
   #compared = "";
   #began = false;
   #active = false;
 
-  /** @param {() => {predictor: string, parameters: object}} settings that are compared now */
+  /** @param {() => Settings} settings that are compared now */
   constructor(settings) {
     this.#settings = settings;
     this.#box.addEventListener("change", () => this.#follow());
@@ -116,18 +116,20 @@ export class Comparison {
   /** Writes the numbers; begins again if the settings have changed. */
   update() {
     if (this.#sides !== null && JSON.stringify(this.#settings()) !== this.#compared) this.#begin();
-    if (this.#sides === null) return;
+    const sides = this.#sides;
+    if (sides === null) return;
     const { count, largestPx } = this.#pairs;
-    PLACES.forEach((place, i) => write(this.#numbers[place], number(this.#sides[i].delay, 2)));
+    PLACES.forEach((place, i) => write(this.#numbers[place], number(sides[i].delay, 2)));
     write(this.#numbers.events, String(count));
     write(this.#numbers.apart, count === 0 ? "–" : apart(largestPx));
-    write(this.#text, this.#words());
+    write(this.#text, this.#words(sides));
     this.#shown.dataset.events = String(count);
     this.#shown.dataset.px = String(largestPx);
   }
 
-  #words() {
-    if (!this.#sides.every((side) => side.isOpen)) return "Waiting for the service…";
+  /** @param {Side[]} sides */
+  #words(sides) {
+    if (!sides.every((side) => side.isOpen)) return "Waiting for the service…";
     if (this.#pairs.count === 0) return "Move over the picture.";
     return this.#pairs.largestPx <= EQUAL_PX ? "The predictions are equal." : "The predictions differ.";
   }

@@ -16,14 +16,14 @@ const RETRY_MS = 2000;
 export class Demo {
   #takes = [];
   #scene = "";
-  #stop = null;
-  #began = null;
+  /** @type {AbortController|null} */ #stop = null;
+  /** @type {number|null} */ #began = null;
   #index = 0;
   #failedAt = -Infinity;
 
   /**
    * Requests the movements unless they are there. @param {number} now ms
-   * @param {{predictor: string, parameters: object, tiles: object[], width: number, height: number}} scene
+   * @param {{predictor: string, parameters: Object<string, number>, tiles: import("../../lib/pointpred.js").Target[], width: number, height: number}} scene
    */
   request(now, scene) {
     const text = JSON.stringify(scene);

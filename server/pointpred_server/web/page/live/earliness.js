@@ -32,7 +32,7 @@ export class RecentLeads {
  */
 export function describe(verdict, predictors, tile, recent, who = "you") {
   const tileLead = tile === null ? null : (tile.lead_s ?? 0);
-  const tileAverage = tile === null ? null : recent.add(TILES, tileLead);
+  const tileAverage = tileLead === null ? null : recent.add(TILES, tileLead);
   const each = predictors.map((chosen, i) => {
     const { name = chosen, lead_s = null } = verdict.predictors[i] ?? {};
     return { name, lead_s, average_s: lead_s === null ? null : recent.add(name, lead_s) };

@@ -7,6 +7,8 @@ const STEPS = 200;
 const WIDE = 20; // bounds beyond this ratio to the default are too wide for a linear slider
 const SPAN = 30;
 
+/** @typedef {import("../../lib/prediction/description.js").Described} Parameter */
+
 /**
  * The range of a slider: `log` if it spans decades; narrower than the bounds if those are too wide.
  * @param {{low: number, high: number, default: number}} parameter
@@ -45,7 +47,7 @@ export class Parameters {
   #message;
   #list;
   #onChange;
-  #timer = null;
+  /** @type {number|undefined} */ #timer;
   #controls = new Map();
 
   /** @param {HTMLDetailsElement} box @param {() => void} onChange is called shortly after `values` has changed */
@@ -53,10 +55,10 @@ export class Parameters {
     [this.#box, this.#onChange] = [box, onChange];
     this.#message = box.querySelector("[role=status]");
     this.#list = box.querySelector(".sliders");
-    box.querySelector("button").addEventListener("click", () => this.reset());
+    box.querySelector("button")?.addEventListener("click", () => this.reset());
   }
 
-  /** Shows the parameters of another predictor with their defaults. @param {{name: string, parameters: object[]}|null} predictor */
+  /** Shows the parameters of another predictor with their defaults. @param {{name: string, parameters?: Parameter[]}|null} predictor */
   show(predictor) {
     clearTimeout(this.#timer);
     [this.values, this.#controls] = [{}, new Map()];
@@ -82,7 +84,7 @@ export class Parameters {
 
   /** The service has refused the newest change. @param {string} message @param {string} path of the field */
   reject(message, path) {
-    delete this.values[path.split(".").at(-1)];
+    delete this.values[path.slice(path.lastIndexOf(".") + 1)];
     this.#write(`Not set. ${sentence(message)}`, path);
   }
 

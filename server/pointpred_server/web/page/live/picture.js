@@ -10,10 +10,10 @@ export const KEPT_S = 2;
 const PAUSE_S = 0.3; // no line is drawn across a longer pause
 
 /**
- * @typedef {{prediction: object, regions: import("../drawing/regions.js").Regions|null, opacity: number,
- *   outlines: [number, number][][][]|null}} Mark a prediction as it is drawn now, in px of the picture: the endpoint, the ellipses of
+ * @typedef {{prediction: import("../service/predictor-connection.js").Prediction & {x: number, y: number}, regions: import("../drawing/regions.js").Regions|null, opacity: number,
+ *   outlines?: [number, number][][][]|null}} Mark a prediction as it is drawn now, in px of the picture: the endpoint, the ellipses of
  *   its regions, and the outlines of a mixture's that are drawn instead
- * @typedef {{list: object[], opacities: Object<string, number>, proposed: string|null}} TileState
+ * @typedef {{list: import("../../lib/pointpred.js").Target[], opacities: Object<string, number>, proposed: string|null}} TileState
  */
 
 /** The part of a trail that is recent enough to draw; all of it if the pointer has rested since. @param {number[][]} trail [t s, x, y] @param {number} now s */
@@ -42,7 +42,7 @@ function drawTrail(pen, trail, now, colour) {
 
 /**
  * Draws a movement and what is predicted of it.
- * @param {number[][]} trail [t s, x, y] @param {(Mark|null)[]} marks one for each predictor @param {number} now s
+ * @param {HTMLCanvasElement} canvas @param {number[][]} trail [t s, x, y] @param {(Mark|null)[]} marks one for each predictor @param {number} now s
  * @param {TileState} tiles @param {"past"|"none"} colour of the trail @returns {number} endpoints drawn
  */
 export function drawLive(canvas, trail, marks, now, tiles, colour = "past") {
@@ -59,7 +59,8 @@ export function drawLive(canvas, trail, marks, now, tiles, colour = "past") {
     pen.globalAlpha = opacity;
     const end = clamp([prediction.x, prediction.y], width, height, 11);
     drawEndpoint(pen, which, from, end);
-    if (prediction.remaining_s > 0) label(pen, number(prediction.remaining_s, 2, "s"), end);
+    if (prediction.remaining_s !== null && prediction.remaining_s > 0)
+      label(pen, number(prediction.remaining_s, 2, "s"), end);
   }
   pen.restore();
   return shown.length;

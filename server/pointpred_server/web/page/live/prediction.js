@@ -1,18 +1,25 @@
 // A prediction as it is drawn and written: it fades when no newer one comes.
 
 import { isVisible, outlinesOf } from "../drawing/regions.js";
-import { write } from "../shell/elements.js";
+import { cellsOf, write } from "../shell/elements.js";
 import { number } from "../shell/numbers.js";
 
 const GONE_MS = 200; // a prediction is drawn for this long
 const FADE_MS = 80;
 
+/** Whether a prediction says where a movement ends. @param {import("../service/predictor-connection.js").Prediction} one @returns {one is import("./picture.js").Mark["prediction"]} */
+const isPlaced = (one) => one.x !== null;
+
 /** The opacity of a prediction of this age, ms. */
 export const opacityAfter = (ms) => Math.max(0, Math.min(1, (GONE_MS - ms) / FADE_MS));
 
-/** A prediction as it is drawn, if it says where a movement ends. @returns {import("./picture.js").Mark|null} */
+/**
+ * A prediction as it is drawn, if it says where a movement ends.
+ * @param {import("../service/predictor-connection.js").Prediction|null} prediction @param {import("../drawing/regions.js").SmoothRegions} smoothRegions @param {number} now ms @param {number} opacity
+ * @param {boolean} [still] @returns {import("./picture.js").Mark|null}
+ */
 export function markOf(prediction, smoothRegions, now, opacity, still = false) {
-  const visible = prediction !== null && prediction.x !== null && prediction.phase !== "still" && opacity > 0;
+  const visible = prediction !== null && isPlaced(prediction) && prediction.phase !== "still" && opacity > 0;
   const regions = smoothRegions.update(visible ? prediction : null, now, still);
   return visible ? { prediction, regions, opacity, outlines: outlinesOf(prediction.mixture) } : null;
 }
@@ -34,9 +41,7 @@ export class PredictionFields {
 
   /** @param {Element} container of elements with the attribute data-of */
   constructor(container) {
-    [this.#phase, this.#left, this.#region] = ["phase", "left", "region"].map((of) =>
-      container.querySelector(`[data-of=${of}]`),
-    );
+    ({ phase: this.#phase, left: this.#left, region: this.#region } = cellsOf(container));
   }
 
   /** @param {import("./picture.js").Mark|null} mark */
@@ -53,12 +58,12 @@ export class PredictionFields {
   }
 }
 
-/** Publishes what is drawn as data of the canvas. @param {(import("./picture.js").Mark|null)[]} marks */
+/** Publishes what is drawn as data of the canvas. @param {HTMLCanvasElement} canvas @param {(import("./picture.js").Mark|null)[]} marks */
 export function publishRegions(canvas, marks) {
   canvas.dataset.regions = JSON.stringify(marks.map((mark) => mark && { ...mark.regions, opacity: mark.opacity }));
 }
 
-/** Adds to the number of endpoints drawn, as data of the canvas. */
+/** Adds to the number of endpoints drawn, as data of the canvas. @param {HTMLCanvasElement} canvas @param {number} endpoints */
 export function publishDrawn(canvas, endpoints) {
-  canvas.dataset.drawn = Number(canvas.dataset.drawn ?? 0) + endpoints;
+  canvas.dataset.drawn = String(Number(canvas.dataset.drawn ?? 0) + endpoints);
 }

@@ -2,7 +2,7 @@
 
 import { ledger, onIntent, onLedger } from "../../lib/intent/index.js";
 import { sample, samples } from "../service/samples.js";
-import { part, write } from "../shell/elements.js";
+import { cellsOf, part, write } from "../shell/elements.js";
 import { bounds, number } from "../shell/numbers.js";
 
 const SHARES_NAME = { simulated: "simulated movements", own: "your movements" }; // in the ledger: each is counted by itself
@@ -11,25 +11,24 @@ const [WIDTH, HEIGHT] = [100, 50]; // of the drawing of a recording
 const MOST_POINTS = 60;
 
 const picture = part("live-scene");
-const buttons = [...part("live-links").children];
-const cells = Object.fromEntries(
-  [...part("live-loaded").querySelectorAll("[data-of]")].map((cell) => [cell.dataset.of, cell]),
-);
+const buttons = /** @type {HTMLElement[]} */ ([...part("live-links").children]);
+const cells = cellsOf(part("live-loaded"));
 
-let names = null; // of the recordings
+/** @type {string[]|null} */ let names = null; // of the recordings
 let stops = []; // what ends the registrations
-let whose = null; // a key of SHARES_NAME
+/** @type {keyof typeof SHARES_NAME|null} */ let whose = null; // a key of SHARES_NAME
 let personAt = -Infinity;
-let take = null; // the simulated movement that is shown, and whether it has ended
+/** @type {object|null} */ let take = null; // the simulated movement that is shown, and whether it has ended
 let ended = false;
 
-/** @param {HTMLElement} button @param {"idle"|"loading"|"loaded"|"hit"|"wasted"} state */
+/** @param {HTMLElement} button @param {"idle"|"loading"|"loaded"|"hit"|"wasted"} state @param {string} words */
 function show(button, state, words) {
   button.dataset.state = state;
-  write(button.querySelector("span"), words);
-  if (state === "idle") button.querySelector("path").removeAttribute("d");
+  write(/** @type {Element} */ (button.querySelector("span")), words);
+  if (state === "idle") button.querySelector("path")?.removeAttribute("d");
 }
 
+/** @param {HTMLElement} button */
 async function load(button) {
   if (button.dataset.state !== "idle") return;
   show(button, "loading", "loading");
@@ -37,7 +36,7 @@ async function load(button) {
     names ??= (await samples()).map(({ name }) => name);
     const path = drawing(await sample(names[buttons.indexOf(button)]));
     if (button.dataset.state === "idle") return; // another movement has begun
-    button.querySelector("path").setAttribute("d", path);
+    button.querySelector("path")?.setAttribute("d", path);
     if (button.dataset.state === "loading") show(button, "loaded", "loaded");
   } catch {
     show(button, "idle", "cannot be loaded");
@@ -58,7 +57,7 @@ function drawing({ x, y }) {
 /** A movement is over: what was loaded and not used was loaded in vain. */
 export function settle() {
   for (const button of buttons)
-    if (["loading", "loaded"].includes(button.dataset.state)) show(button, "wasted", "not used");
+    if (["loading", "loaded"].includes(String(button.dataset.state))) show(button, "wasted", "not used");
   count();
 }
 
@@ -74,7 +73,7 @@ function count() {
   write(cells.early, number(counts?.lead_s.median, 2, "s"));
 }
 
-/** Registers the buttons anew, so that nothing is learned of a person from simulated movements. */
+/** Registers the buttons anew, so that nothing is learned of a person from simulated movements. @param {keyof typeof SHARES_NAME} who */
 function register(who) {
   if (whose === who) return;
   close();
@@ -132,7 +131,8 @@ for (const kind of ["pointermove", "pointerdown", "keydown"])
   window.addEventListener(kind, (event) => whose && arrive(event), { capture: true, passive: true });
 for (const button of buttons) button.addEventListener("click", () => load(button));
 onLedger(({ kind, element, lead_s: lead }) => {
-  if (kind !== "hit" || !buttons.includes(element)) return;
-  show(element, "hit", `${number(lead, 2, "s")} early`);
+  const button = buttons.find((one) => one === element);
+  if (kind !== "hit" || button === undefined) return;
+  show(button, "hit", `${number(lead, 2, "s")} early`);
   count();
 });

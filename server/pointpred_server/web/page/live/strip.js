@@ -67,6 +67,7 @@ export class SpeedStrip {
     return Math.max(LOWEST_TOP, STEP * Math.ceil((1.1 * most) / STEP));
   }
 
+  /** @param {import("../vendor/uPlot.esm.js").default} plot */
   #drawPhases(plot) {
     const { left, top, width, height } = plot.bbox;
     const pen = plot.ctx;

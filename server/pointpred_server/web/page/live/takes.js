@@ -17,7 +17,7 @@ const REST_PX = 3;
 const APART_S = 1000; // between the times of two movements
 
 /**
- * @typedef {{rows: number[][], answers: object[], proposals: (string|null)[], delays: number[], speeds: number[], tile: string}} Take
+ * @typedef {{rows: number[][], answers: import("../service/predictor-connection.js").Prediction[], proposals: (string|null)[], delays: number[], speeds: number[], tile: string}} Take
  *   rows [t s from 0, x, y]; after each row: the prediction, the predicted tile, the delay of the answer, ms, and the speed, px/s; the tile where it ends
  */
 
@@ -49,7 +49,7 @@ function transform(rows, [startX, startY], [endX, endY]) {
 
 /**
  * Requests the movements and their predictions one after another, over a connection of its own.
- * @param {{predictor: string, parameters: object, tiles: import("../../lib/pointpred.js").Target[], width: number, height: number}} scene
+ * @param {{predictor: string, parameters: Object<string, number>, tiles: import("../../lib/pointpred.js").Target[], width: number, height: number}} scene
  * @param {(take: Take) => void} onTake @param {AbortSignal} signal
  */
 export async function requestTakes({ predictor, parameters, tiles, width, height }, onTake, signal) {
@@ -119,9 +119,9 @@ function answersTo(connection, rows, offset) {
 /** The tile that is predicted after each event. @param {number[]} times s @param {import("../../lib/pointpred.js").Choice[]} choices */
 export function proposedAt(times, choices) {
   let next = 0,
-    proposed = null;
+    /** @type {string|null} */ proposed = null;
   return times.map((time) => {
-    for (; next < choices.length && choices[next].t <= time; next += 1)
+    for (; next < choices.length && /** @type {number} */ (choices[next].t) <= time; next += 1)
       proposed = proposedAfter(proposed, choices[next]);
     return proposed;
   });

@@ -31,7 +31,7 @@ export const contains = (tile, x, y) =>
 export const opacitiesOf = (probabilities, mark) =>
   Object.fromEntries(Object.entries(probabilities).map(([id, p]) => [id, p * (mark?.opacity ?? 0)]));
 
-/** The id of what is predicted after a choice, given what was before; null: none. */
+/** The id of what is predicted after a choice, given what was before; null: none. @param {string|null} before @param {import("../../lib/pointpred.js").Choice} choice @returns {string|null} */
 export function proposedAfter(before, { id, action, reason }) {
   if (reason === "entered") return before; // not a prediction
   if (action === "propose") return id;
@@ -44,8 +44,8 @@ export class Tiles {
   /** @type {import("../../lib/pointpred.js").Target[]} */ list = [];
   /** By the tile's id. @type {Object<string, number>} */ probabilities = {};
   /** @type {string|null} */ proposed = null;
-  #under = null;
-  #pressed = null; // where the last movement ended: until the pointer leaves that point, it heads for no tile
+  /** @type {string|null} */ #under = null;
+  /** @type {number[]|null} */ #pressed = null; // where the last movement ended: until the pointer leaves that point, it heads for no tile
 
   /** Lays the tiles out again if the picture has changed its size. @returns {boolean} whether it has */
   layOut(width, height) {
@@ -63,10 +63,11 @@ export class Tiles {
   /** @param {import("../../lib/pointpred.js").Choice} choice */
   addChoice(choice) {
     if (choice.reason === "entered") return; // only predictions are highlighted
+    const t = /** @type {number} */ (choice.t); // of an event: what is proposed has one
     this.proposed = proposedAfter(this.proposed, choice);
     if (this.#pressed === null) this.probabilities[choice.id] = choice.p;
-    if (choice.action === "propose") this.ledger.propose(choice.t, choice.id);
-    else this.ledger.withdraw(choice.t, choice.id);
+    if (choice.action === "propose") this.ledger.propose(t, choice.id);
+    else this.ledger.withdraw(t, choice.id);
   }
 
   /** The tile at a point. @returns {string|null} */

@@ -4,7 +4,7 @@ import { FrameLoop, prefersLessMotion } from "../drawing/canvas.js";
 import { drawLegends } from "../drawing/legend.js";
 import { SmoothRegions } from "../drawing/regions.js";
 import { predictors } from "../service/listing.js";
-import { part, write } from "../shell/elements.js";
+import { cellsOf, part, write } from "../shell/elements.js";
 import { explainPredictors } from "../shell/glossary.js";
 import { accountOf, median, number } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
@@ -18,19 +18,22 @@ import { markOf, publishDrawn, publishRegions } from "./prediction.js";
 import { SpeedStrip } from "./strip.js";
 import { opacitiesOf, Tiles } from "./tiles.js";
 
+/**
+ * @typedef {{marks: (import("./picture.js").Mark|null)[], speed: number, rate: number|null, delay: number|null}} Shown of each
+ *   predictor; px/s, events a second, ms; null: as measured of the person's own
+ */
+
 const INVITE_MS = 4000;
 const NUMBERS_MS = 120;
 const STOPPED_MS = 250;
 const SLOW_FRAMES = 12; // with less motion, the plot of speed is drawn once in so many frames
 const DEMO_END_S = 0.02;
 
-const canvas = part("live-scene");
+const canvas = /** @type {HTMLCanvasElement} */ (part("live-scene"));
 const invitation = part("live-invitation");
 const verdict = part("live-verdict");
 const ledger = part("live-ledger");
-const numbers = Object.fromEntries(
-  ["delay", "rate", "speed"].map((of) => [of, part("live-numbers").querySelector(`[data-of=${of}]`)]),
-);
+const numbers = cellsOf(part("live-numbers"));
 
 const loop = new FrameLoop(frame);
 const demo = new Demo();
@@ -38,9 +41,12 @@ const demoRegions = new SmoothRegions();
 const movement = new Movement();
 const recentLeads = new RecentLeads();
 const tiles = new Tiles();
+const [firstParameters, secondParameters] = /** @type {HTMLDetailsElement[]} */ (
+  [0, 1].map((which) => part(`live-parameters-${which}`))
+);
 const first = new LiveCard(
   part("live-card-0"),
-  part("live-parameters-0"),
+  firstParameters,
   (prediction, name) => {
     movement.addPrediction(0, prediction, name);
     tiles.addPrediction(prediction);
@@ -48,24 +54,24 @@ const first = new LiveCard(
   { choice: (choice) => tiles.addChoice(choice) },
   { encoding: "json" },
 ); // packed predictions have no probabilities of targets
-const second = new LiveCard(part("live-card-1"), part("live-parameters-1"), (prediction, name) =>
+const second = new LiveCard(part("live-card-1"), secondParameters, (prediction, name) =>
   movement.addPrediction(1, prediction, name),
 );
 const cards = [first, second];
 const comparison = new Comparison(() => ({ predictor: first.select.value, parameters: first.parameters.values }));
 
-let strip = null;
+/** @type {SpeedStrip|null} */ let strip = null;
 let active = false;
 let trail = [];
 let eventCounts = []; // [ms, events] of the last second
 let movedAt = -Infinity;
 let judged = true;
-let clickedTile = null; // the tile that ended the movement, and how early it was proposed
+/** @type {{lead_s: number|null}|null} */ let clickedTile = null; // the tile that ended the movement, and how early it was proposed
 let writeAt = 0;
 let frames = 0;
-let ownVerdict = null; // the sentence on the person's own movement, while that of the demo is shown
-let informed = null; // the connection that has the positions of the tiles
-let recordings = null; // the module of what the tiles stand for, which follows when the first prediction is there
+/** @type {string|null} */ let ownVerdict = null; // the sentence on the person's own movement, while that of the demo is shown
+/** @type {LiveCard["connection"]} */ let informed = null; // the connection that has the positions of the tiles
+/** @type {typeof import("./recordings.js")|null} */ let recordings = null; // the module of what the tiles stand for, which follows when the first prediction is there
 
 function move(rows) {
   movedAt = performance.now();
@@ -97,8 +103,8 @@ function frame(now) {
   publishRegions(canvas, shown.marks);
   frames += 1;
   if (!prefersLessMotion() || frames % SLOW_FRAMES === 0) {
-    strip.add(now, shown.speed, shown.marks[0]?.prediction.phase ?? null);
-    strip.draw(now);
+    strip?.add(now, shown.speed, shown.marks[0]?.prediction.phase ?? null);
+    strip?.draw(now);
   }
   if (now > writeAt) writeNumbers(now, shown);
 }
@@ -112,7 +118,7 @@ function sendTiles() {
   connection?.setTargets(tiles.list);
 }
 
-/** Shows the pointer's own movement. */
+/** Shows the pointer's own movement. @param {number} now @returns {Shown} */
 function showPointer(now) {
   demo.pause();
   if (ownVerdict !== null) write(verdict, ownVerdict);
@@ -131,7 +137,7 @@ function showPointer(now) {
   return { marks, speed: speed(trail, seconds), rate: null, delay: null };
 }
 
-/** Shows a simulated movement; it counts in no average of the person's own. */
+/** Shows a simulated movement; it counts in no average of the person's own. @param {number} now @returns {Shown} */
 function showDemo(now) {
   const { clientWidth: width, clientHeight: height } = canvas,
     still = prefersLessMotion();
@@ -147,7 +153,7 @@ function showDemo(now) {
   if (moment === null) {
     drawLive(canvas, [], [], 0, { list: tiles.list, opacities: {}, proposed: null });
     publish("nothing", null, 0);
-    return { marks: [null, null], speed: 0 };
+    return { marks: [null, null], speed: 0, rate: null, delay: null };
   }
   const { take, event, time } = moment,
     ended = time > take.rows[event][0] + DEMO_END_S && event === take.rows.length - 1;
@@ -172,6 +178,7 @@ function publish(shows, proposed, endpoints) {
   publishDrawn(canvas, endpoints);
 }
 
+/** @param {number} now @param {Shown} shown */
 function writeNumbers(now, { marks, speed: pace, rate, delay }) {
   writeAt = now + NUMBERS_MS;
   eventCounts = eventCounts.filter(([at]) => at > now - 1000);
@@ -235,7 +242,7 @@ async function fillCards() {
 /** Takes the module of what the tiles stand for. @param {typeof import("./recordings.js")} module */
 export function useRecordings(module) {
   recordings = module;
-  if (active) recordings.open();
+  if (active) module.open();
 }
 
 /** Closes the connections. */
@@ -249,7 +256,8 @@ export function close() {
   for (const card of cards) card.close();
 }
 
-if (window.matchMedia("(pointer: coarse)").matches) write(invitation.querySelector("strong"), "Move your finger here");
+if (window.matchMedia("(pointer: coarse)").matches)
+  write(/** @type {Element} */ (invitation.querySelector("strong")), "Move your finger here");
 listenToPointer(
   part("live-picture"),
   { onMove: move, onPress: (row, event) => event.button === 0 && press(row) },

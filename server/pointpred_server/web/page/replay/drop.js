@@ -1,6 +1,6 @@
 // Files dragged onto the page from outside the browser.
 
-/** Whether files are dragged; for text and links the browser keeps its own behaviour. */
+/** Whether files are dragged; for text and links the browser keeps its own behaviour. @param {DragEvent} event */
 const holdsFiles = (event) => event.dataTransfer?.types.includes("Files") ?? false;
 
 /**
@@ -8,13 +8,14 @@ const holdsFiles = (event) => event.dataTransfer?.types.includes("Files") ?? fal
  * @param {HTMLElement} area gets the class "over" @param {(files: File[]) => void} onFiles
  */
 export function acceptFiles(area, onFiles) {
+  /** @param {(event: DragEvent) => void} handle @returns {(event: DragEvent) => void} */
   const handler = (handle) => (event) => {
     if (area.offsetParent === null || !holdsFiles(event)) return; // another view is open, or no file is dragged
     event.preventDefault();
     handle(event);
   };
   const enter = handler((event) => {
-    event.dataTransfer.dropEffect = "copy";
+    /** @type {DataTransfer} */ (event.dataTransfer).dropEffect = "copy";
     area.classList.add("over");
   });
   document.addEventListener("dragenter", enter);
@@ -24,18 +25,18 @@ export function acceptFiles(area, onFiles) {
     "drop",
     handler((event) => {
       area.classList.remove("over");
-      onFiles([...event.dataTransfer.files]);
+      onFiles([.../** @type {DataTransfer} */ (event.dataTransfer).files]);
     }),
   );
 }
 
 /** Refuses files that no view accepts: the browser would open them instead of the page. */
 export function refuseFiles() {
-  for (const kind of ["dragenter", "dragover", "drop"]) {
+  for (const kind of /** @type {const} */ (["dragenter", "dragover", "drop"])) {
     window.addEventListener(kind, (event) => {
       if (event.defaultPrevented || !holdsFiles(event)) return;
       event.preventDefault();
-      event.dataTransfer.dropEffect = "none";
+      /** @type {DataTransfer} */ (event.dataTransfer).dropEffect = "none";
     });
   }
 }

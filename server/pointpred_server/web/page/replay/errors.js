@@ -16,7 +16,7 @@ function ticks(most, count) {
   return Array.from({ length: Math.floor(most / step + 1e-9) + 1 }, (_, i) => i * step);
 }
 
-/** The decimals that tell the ticks apart. */
+/** The decimals that tell the ticks apart. @param {number[]} ticks */
 const decimals = ([, step = 1]) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
 
 /** The grid, and the numbers beside it. */

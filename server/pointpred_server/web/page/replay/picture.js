@@ -8,19 +8,20 @@ import { bounds } from "../shell/numbers.js";
 const MARGIN_PX = 22;
 
 /**
- * @typedef {{t: number[], x: number[], y: number[], target: {x: number, y: number, width: number} | null}} Movement
- * @typedef {{x: (number|null)[], y: (number|null)[], regions: (object|null)[]}} Column the predictions of a predictor, one per event
+ * @typedef {{t: number[], x: number[], y: number[], target: {x: number, y: number, width: number} | null, person: string,
+ *   predictions: Object<string, Column>}} Movement predictions by their predictor
+ * @typedef {{x: (number|null)[], y: (number|null)[], regions: import("../../lib/pointpred.js").Prediction["region"][]}} Column the predictions of a predictor, one per event
  */
 
-/** The distance from a predicted point to where the movement ended, px; null if nothing was predicted. */
+/** The distance from a predicted point to where the movement ended, px; null if nothing was predicted. @param {Movement} movement @param {Pick<Column, "x"|"y">} column @param {number} i @returns {number|null} */
 export function errorAt(movement, column, i) {
   const last = movement.x.length - 1;
   const x = column.x[i],
     y = column.y[i];
-  return x === null ? null : Math.hypot(x - movement.x[last], y - movement.y[last]);
+  return x === null || y === null ? null : Math.hypot(x - movement.x[last], y - movement.y[last]);
 }
 
-/** The projection from screen px to px of the canvas, with one scale for both axes; the path and the target fit inside. */
+/** The projection from screen px to px of the canvas, with one scale for both axes; the path and the target fit inside. @param {Movement} movement @param {number} width @param {number} height */
 function projection(movement, width, height) {
   const { target } = movement;
   const reach = target === null ? 0 : (target.width || 0) / 2;
@@ -33,6 +34,7 @@ function projection(movement, width, height) {
     (width - 2 * MARGIN_PX) / (right - left + 2 * room),
     (height - 2 * MARGIN_PX) / (bottom - top + 0.6 * room),
   );
+  /** @param {import("../drawing/marks.js").Point} point */
   const place = ([x, y]) => [
     width / 2 + scale * (x - (left + right) / 2),
     height / 2 + scale * (y - (top + bottom) / 2),
@@ -48,11 +50,12 @@ export function drawMovement(canvas, movement, columns, i) {
   const { pen, width, height } = clearCanvas(canvas);
   const { target: targetColour, future, past, none } = colours();
   const { place, scale } = projection(movement, width, height);
-  const predicted = columns.flatMap((column, which) =>
-    column === null || column.x[i] === null ? [] : [{ column, which }],
-  );
-  for (const { column, which } of predicted) {
-    const regions = regionsOf({ x: column.x[i], y: column.y[i], region: column.regions[i] });
+  const predicted = columns.flatMap((column, which) => {
+    const [x, y] = [column?.x[i] ?? null, column?.y[i] ?? null];
+    return column === null || x === null || y === null ? [] : [{ x, y, region: column.regions[i], which }];
+  });
+  for (const { which, ...prediction } of predicted) {
+    const regions = regionsOf(prediction);
     drawRegions(pen, projectRegions(regions, scale, place), MARKS[which], width, height);
   }
   const path = movement.x.map((x, k) => place([x, movement.y[k]]));
@@ -63,7 +66,5 @@ export function drawMovement(canvas, movement, columns, i) {
   line(pen, path.slice(i), future, 2, [6, 5]);
   line(pen, path.slice(0, i + 1), past, 3);
   disc(pen, path[i], 5, none, true);
-  for (const { column, which } of predicted) {
-    drawEndpoint(pen, which, path[i], clamp(place([column.x[i], column.y[i]]), width, height, 11));
-  }
+  for (const { x, y, which } of predicted) drawEndpoint(pen, which, path[i], clamp(place([x, y]), width, height, 11));
 }

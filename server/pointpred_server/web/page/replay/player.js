@@ -7,7 +7,7 @@ export class Player {
   #button;
   #slider;
   #onChange;
-  #began = null; // when the replay began, on the clock of performance.now, ms
+  /** @type {number|null} */ #began = null; // when the replay began, on the clock of performance.now, ms
 
   /** @param {HTMLButtonElement} button @param {HTMLInputElement} slider in ms @param {() => void} onChange is called when the time or the state has changed */
   constructor(button, slider, onChange) {
@@ -61,7 +61,7 @@ export class Player {
   }
 
   #advance(now) {
-    if (!this.playing) return;
+    if (this.#began === null) return;
     const ms = Math.max(0, now - this.#began),
       duration = Number(this.#slider.max);
     if (ms >= duration) this.#pause();

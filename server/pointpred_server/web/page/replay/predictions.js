@@ -26,12 +26,13 @@ function nextMessage(connection, name, accept) {
 
 /**
  * The prediction of a predictor after each event of a movement.
- * @param {number[][]} rows events [t, x, y, dx, dy, buttons] @param {string} predictor
+ * @param {import("../../lib/pointpred.js").EventRow[]} rows @param {string} predictor
  * @param {{dpi: number, cpi: number|null}} resolution
  * @returns {Promise<import("./picture.js").Column>}
  */
 export async function predictionsAlong(rows, predictor, { dpi, cpi }) {
   const page = inPage();
+  /** @type {import("../../lib/pointpred.js").Options} */
   const options = {
     page,
     predictor,
@@ -42,6 +43,7 @@ export async function predictionsAlong(rows, predictor, { dpi, cpi }) {
     ...(cpi ? { device: { cpi } } : {}),
   };
   const connection = connect(undefined, options);
+  /** @type {import("./picture.js").Column} */
   const column = { x: [], y: [], regions: [] };
   connection.on("prediction", ({ x, y, region }) => {
     column.x.push(x);

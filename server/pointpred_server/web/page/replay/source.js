@@ -8,7 +8,7 @@ import { predictionsAlong } from "./predictions.js";
 
 /**
  * @typedef {{title: string, description: string, isSample: boolean, names: string[],
- *   movement: (index: number, predictors: string[]) => Promise<object>}} Source
+ *   movement: (index: number, predictors: string[]) => Promise<import("./picture.js").Movement>}} Source
  */
 
 /** Where a recording that the person opens goes. */

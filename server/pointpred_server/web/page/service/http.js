@@ -5,6 +5,7 @@ import { hasService } from "./place.js";
 /** The token in the page's own address, if the service asks for one. */
 export const token = new URLSearchParams(window.location.search).get("token") ?? undefined;
 
+/** @type {Record<string, string>} */
 const AUTHORIZATION = token === undefined ? {} : { Authorization: `Bearer ${token}` };
 
 /** Requests JSON. Throws an Error with the service's reason if it refuses, or if it cannot be reached. */

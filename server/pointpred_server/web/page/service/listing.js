@@ -15,18 +15,18 @@ const OWN = {
   recommended: RECOMMENDED,
   predictors: Object.entries(PREDICTORS).map(([name, { title }]) => ({ name, title })),
 };
+/** @type {Promise<Listing>|null} */
 let requested = null;
 
 /** The predictors of the page, or those of the service where that predicts; these are requested once, and again after a failure. @returns {Promise<Listing>} */
 export async function predictors() {
   if (inPage()) return OWN;
-  requested ??= read("/v1/predictors")
+  return (requested ??= read("/v1/predictors")
     .then((answer) => ({ recommended: RECOMMENDED, ...answer }))
     .catch((error) => {
       requested = null;
       throw error;
-    });
-  return requested;
+    }));
 }
 
 /** A predictor with its parameters. @param {Listed} predictor @returns {Promise<Listed>} */

@@ -23,12 +23,19 @@ const SERVICE_TEXTS = {
 };
 const MOST_DELAYS = 4000;
 
+/**
+ * @typedef {import("../../lib/pointpred.js").Messages} Messages
+ * @typedef {Messages["prediction"] & {mixture?: import("../../lib/prediction/mixture.js").Mixture|null}} Prediction with what the
+ *   page knows beyond one law
+ * @typedef {{[Name in "state"|"prediction"|"score"|"choice"|"cursor"|"error"]?: (message: Messages[Name]) => void}} Handlers
+ */
+
 /** The state of a connection in words. */
 export const stateText = (state) => (inPage() ? PAGE_TEXTS : SERVICE_TEXTS)[state] ?? state;
 
 /** A connection with one predictor; the page sends the events. */
 export class PredictorConnection {
-  /** @type {import("../../lib/pointpred.js").Prediction|null} */ latest = null;
+  /** @type {Prediction|null} */ latest = null;
   /** When `latest` was received, on the page's clock, ms. */ at = -Infinity;
   /** Predictions received. */ received = 0;
   /** The newest error. @type {string|null} */ error = null;
@@ -37,8 +44,7 @@ export class PredictorConnection {
 
   /**
    * @param {string} predictor
-   * @param {{state?: (state: string) => void, prediction?: (one: object) => void, score?: (one: object) => void,
-   *   choice?: (one: object) => void, cursor?: (one: object) => void, error?: (one: object) => void}} handlers
+   * @param {Handlers} handlers
    * @param {import("../../lib/pointpred.js").Options} options
    */
   constructor(predictor, handlers = {}, options = {}) {
@@ -85,7 +91,7 @@ export class PredictorConnection {
     return this.#connection.welcome?.predictor ?? this.predictor;
   }
 
-  /** @param {number[][]} rows of events */
+  /** @param {import("../../lib/pointpred.js").EventRow[]} rows */
   send(rows) {
     this.#connection.send(rows);
   }

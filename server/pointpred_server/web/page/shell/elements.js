@@ -1,13 +1,22 @@
 // Elements of the page: found by id, filled with text, options and rows.
 
-/** The element with an id; throws if there is none. */
+/** The element with an id; throws if there is none. @param {string} id */
 export function part(id) {
   const element = document.getElementById(id);
   if (element === null) throw new Error(`the page has no part ${id}`);
   return element;
 }
 
-/** Writes text only if it changes, so that nothing is announced or laid out again without need. */
+/** The cells of a part that say in `data-of` what they hold, by that. @param {Element} container @returns {Object<string, HTMLElement>} */
+export const cellsOf = (container) =>
+  Object.fromEntries(
+    [.../** @type {NodeListOf<HTMLElement>} */ (container.querySelectorAll("[data-of]"))].map((cell) => [
+      cell.dataset.of,
+      cell,
+    ]),
+  );
+
+/** Writes text only if it changes, so that nothing is announced or laid out again without need. @param {Element} element @param {string} text */
 export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -15,7 +24,10 @@ export function write(element, text) {
 /** A message of the service as a sentence: it begins with a capital letter and ends with a full stop. */
 export const sentence = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
 
-/** Fills a select with predictors; `none` is the label of an option that chooses none of them. */
+/**
+ * Fills a select with predictors; `none` is the label of an option that chooses none of them.
+ * @param {HTMLSelectElement} select @param {{name: string, title: string}[]} predictors @param {string} selected @param {string|null} [none]
+ */
 export function fillSelect(select, predictors, selected, none = null) {
   const options = predictors.map(({ name, title }) => {
     const option = new Option(name, name, false, name === selected);
@@ -27,7 +39,7 @@ export function fillSelect(select, predictors, selected, none = null) {
   select.disabled = false;
 }
 
-/** Fills a table with rows of cells; the first row is the heading. */
+/** Fills a table with rows of cells; the first row is the heading. @param {HTMLTableElement} table @param {string[][]} texts */
 export function fillTable(table, [heads, ...rows]) {
   const cells = (kind, texts) =>
     texts.map((text) => {

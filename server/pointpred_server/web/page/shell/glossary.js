@@ -42,18 +42,22 @@ function entry(texts) {
 
 /** Fills each `details` that names terms in `data-terms`. */
 function explainTerms() {
-  for (const details of document.querySelectorAll("details[data-terms]")) {
+  for (const details of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("details[data-terms]"))) {
     const summary = document.createElement("summary");
     summary.textContent = "What these terms mean";
     const list = document.createElement("dl");
-    list.append(...details.dataset.terms.split(" ").map((name) => entry(TERMS[name])));
+    list.append(
+      ...String(details.dataset.terms)
+        .split(" ")
+        .map((name) => entry(TERMS[name])),
+    );
     details.replaceChildren(summary, list);
   }
 }
 
 /** Adds predictors to such a list, with their titles. @param {HTMLElement} details @param {{name: string, title: string}[]} predictors */
 export function explainPredictors(details, predictors) {
-  details.querySelector("dl").append(...predictors.map(({ name, title }) => entry([name, title])));
+  details.querySelector("dl")?.append(...predictors.map(({ name, title }) => entry([name, title])));
 }
 
 explainTerms();

@@ -1,6 +1,8 @@
 // The pointer over an element: every coalesced sample as a row [t, x, y, dx, dy, buttons] of the service.
 
-/** A sample relative to a corner of the viewport; browsers report no device counts. */
+/** @typedef {import("../../lib/pointpred.js").EventRow} Row */
+
+/** A sample relative to a corner of the viewport; browsers report no device counts. @param {PointerEvent} event @param {number[]} corner @returns {Row} */
 function row(event, [left, top]) {
   return [event.timeStamp / 1000, event.clientX - left, event.clientY - top, null, null, event.buttons];
 }
@@ -15,9 +17,9 @@ function corner(element) {
  * Listens to the pointer over an element.
  * @param {HTMLElement} element
  * @param {{
- *   onMove: (rows: number[][]) => void,
- *   onPress?: (row: number[], event: PointerEvent) => void,
- *   onRelease?: (row: number[], event: PointerEvent) => void,
+ *   onMove: (rows: Row[]) => void,
+ *   onPress?: (row: Row, event: PointerEvent) => void,
+ *   onRelease?: (row: Row, event: PointerEvent) => void,
  * }} handlers `onMove` is called with every sample, presses and releases included; the others are called after it
  * @param {HTMLElement} frame positions are relative to the upper left corner inside its border
  */
@@ -46,7 +48,7 @@ export function listenToPointer(element, { onMove, onPress, onRelease }, frame =
   });
   element.addEventListener("pointerdown", (event) => {
     if (!event.isPrimary) return;
-    if (event.pointerType !== "mouse") event.target.setPointerCapture(event.pointerId);
+    if (event.pointerType !== "mouse") /** @type {Element} */ (event.target).setPointerCapture(event.pointerId);
     click(event, onPress);
   });
   element.addEventListener("pointerup", (event) => event.isPrimary && click(event, onRelease));

@@ -12,7 +12,7 @@ async function copy() {
     await navigator.clipboard.writeText(code.textContent);
     write(button, "Copied");
   } catch {
-    window.getSelection().selectAllChildren(code); // a page that was not loaded by HTTPS may not write to the clipboard
+    window.getSelection()?.selectAllChildren(code); // a page that was not loaded by HTTPS may not write to the clipboard
     write(button, "Selected");
   }
   setTimeout(() => write(button, "Copy"), SHOWN_MS);

@@ -12,6 +12,7 @@ const SHOWN = 0.01; // shares from here on are written
 const ROLES = ["idle", "fired", "lit", "ahead", "paper"]; // of colours
 const NOTED_MS = 1500; // how long a reason stays beside its element
 
+/** @type {(() => void)|null} */
 let hide = null; // what hides the one that is shown
 
 /**
@@ -59,7 +60,7 @@ class Picture {
   /** Carry the colours. */ samples = ROLES.map((className) =>
     Object.assign(document.createElement("i"), { className }),
   );
-  #context = this.canvas.getContext("2d");
+  #context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
   #notes = new Map();
 
   /** Writes a reason beside an element for a while. @param {import("../../index.d.ts").LedgerEntry} entry */
@@ -90,6 +91,7 @@ class Picture {
     for (const [element, { until }] of this.#notes) if (until < performance.now()) this.#notes.delete(element);
   }
 
+  /** @param {import("../entry.js").Entry} entry @param {number} share @param {Object<string, string>} colours */
   #drawElement({ element, row: [x, y, width, height], registrations }, share, colours) {
     const context = this.#context,
       firings = [...registrations].map(({ firing }) => firing);
@@ -185,7 +187,7 @@ class Panel {
     item.dataset.kind = kind;
     item.append(...shown.map((text) => Object.assign(document.createElement("span"), { textContent: text })));
     this.#list.prepend(item);
-    while (this.#list.children.length > MOST_ENTRIES) this.#list.lastChild.remove();
+    while (this.#list.children.length > MOST_ENTRIES) this.#list.lastChild?.remove();
   }
 }
 

@@ -10,6 +10,7 @@ export function fill(values, memory) {
     memory[i] = values[i];
   }
 }
+/** @returns {[number, number, number, number, boolean]} */
 export function accept(settings, s, event, settings_at = 0, s_at = 0) {
   const t = event[0];
   const x = event[1];

@@ -22,6 +22,7 @@ export function remember(past, window_s, t, x, y, past_at = 0) {
   past[past_at + 2] = x;
   past[past_at + 3] = y;
 }
+/** @returns {[boolean, number, number, number]} */
 export function before(past, window_s, t, past_at = 0) {
   let found = -1;
   for (let i = 0, end_1 = Math.trunc(past[past_at]); i < end_1; i++) {

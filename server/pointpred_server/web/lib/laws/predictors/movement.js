@@ -18,6 +18,7 @@ export function fault_of(s, m, s_at = 0) {
 export function refuse(s, m, fault, s_at = 0) {
   return $records.refused(fault, fault === $records.ORDER ? s[s_at + 1] : m[fault - $records.MOTION_FIELD]);
 }
+/** @returns {[number, boolean, number]} */
 export function follow(s, m, s_at = 0) {
   const t = m[0];
   const x = m[1];

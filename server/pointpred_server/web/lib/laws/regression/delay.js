@@ -32,6 +32,7 @@ export function push(ring, samples, spacing, t, w, y, ring_at = 0) {
   }
   ring[ring_at + at + n + 3] = y;
 }
+/** @returns {[boolean, number]} */
 export function delayed(ring, samples, t, w, ring_at = 0) {
   let first;
   const n = w.length;

@@ -9,6 +9,7 @@ export function carry(carried, axis, moved_px, carried_at = 0) {
   carried[carried_at + axis] = rest + moved_px - whole;
   return whole;
 }
+/** @returns {[boolean, number]} */
 export function accept(memory, t, dx, dy, memory_at = 0) {
   const settings_at = memory_at;
   const s_at = memory_at + 12;

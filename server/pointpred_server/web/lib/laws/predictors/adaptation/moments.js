@@ -6,6 +6,7 @@ export const NEAR_SHARE = 0.03;
 export const SAMPLES_LEAST = 6;
 export const LEAST_S = 0.08;
 export const SHORTEST_PX = 1e-06;
+/** @returns {[number, boolean]} */
 export function next_moment(s, last_t, cursor, most, s_at = 0) {
   const t = cursor[0];
   const x = cursor[1];
