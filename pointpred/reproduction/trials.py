@@ -56,7 +56,7 @@ class Movements(msgspec.Struct, frozen=True):
 
 def novice_and_expert() -> tuple[Person, Person]:
     """The least and the most skilled of ten simulated people."""
-    ten = sorted(people(10, SEED), key=lambda one: one.skill)
+    ten = sorted(people(10, SEED), key=lambda one: one.traits.skill)
     return ten[0], ten[-1]
 
 

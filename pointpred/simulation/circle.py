@@ -135,6 +135,6 @@ def _label(person: Person, condition: Condition, number: int, target: Sequence[f
             "distance_mm": condition.distance_mm,
             "width_mm": condition.width_mm,
             "transfer": condition.transfer,
-            "skill": round(person.skill, 3),
+            "skill": round(float(person.traits.skill), 3),
         },
     )

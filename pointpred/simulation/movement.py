@@ -61,19 +61,19 @@ def planned_memory(person: Person, setup: Setup, aim: Aim, generator: np.random.
     settings.metres_per_count = METRES_PER_INCH / setup.cpi
     settings.rho, settings.strength = setup.rho, setup.strength
     settings.function.memory[:] = setup.transfer.slots
-    traits = Traits(np.array(msgspec.structs.astuple(person)[1:]))
-    plan(settings, traits, _drawn(person, generator), aim.x, aim.y, aim.width)
-    settings.delay_s = min(person.delay_s, (loop.RING_ROWS - 1) * setup.period_s)
+    traits = person.traits
+    plan(settings, traits, _drawn(traits, generator), aim.x, aim.y, aim.width)
+    settings.delay_s = min(traits.delay_s, (loop.RING_ROWS - 1) * setup.period_s)
     return memory
 
 
-def _drawn(person: Person, generator: np.random.Generator) -> Draws:
+def _drawn(traits: Traits, generator: np.random.Generator) -> Draws:
     """The chance in a plan, from a generator of numpy."""
     draws = Draws(np.zeros(Draws.length))
     draws.memory[:7] = generator.standard_normal(7)
     count = 1
-    if generator.uniform() >= person.one_piece:
-        count = 2 + int(generator.binomial(loop.PIECES_MOST - 2, FURTHER_PIECE * (1.0 - person.skill)))
+    if generator.uniform() >= traits.one_piece:
+        count = 2 + int(generator.binomial(loop.PIECES_MOST - 2, FURTHER_PIECE * (1.0 - traits.skill)))
     draws.count = count
     for number, piece in enumerate(draws.pieces[:count]):
         last = number == count - 1

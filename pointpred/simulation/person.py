@@ -17,7 +17,17 @@ NORMALS = 18
 
 
 class Traits(Layout):
-    """What a person is: the fields of ``Person`` after its name."""
+    """What a person is.
+
+    ``skill`` 0 is a novice, 1 an expert with the setup; ``base_s`` and ``per_bit_s`` the time of a
+    first piece, base + per_bit log2(A/W + 1); ``one_piece`` probability of a movement in one piece;
+    ``reach`` and ``reach_sd`` share of the way a last piece covers; ``turn_sd`` and ``curvature`` (rad)
+    direction error and bend of a piece; ``skew`` of its speed; ``reaction_s``, ``pause_s`` between
+    pieces, ``verify_s`` before the click, ``press_s`` of the button; ``friction`` b1 (1/s) and ``rate``
+    sqrt(b2 c) (1/s) of the corrective phase; ``delay_s`` of the eyes, ``muscle_s`` lag of the muscles;
+    ``noise`` of the motion as a share of the speed, ``tremor_m_s``; ``aim_sd`` scatter of the aim as a
+    share of the target's width.
+    """
 
     skill: float
     base_s: float
@@ -76,41 +86,20 @@ def grow(traits: Traits, skill: float, normals: FloatArray) -> None:
 
 
 class Person(msgspec.Struct, frozen=True):
-    """One simulated person; ``skill`` 0 is a novice, 1 an expert with the setup.
+    """One simulated person.
 
     Assumes that a movement is one to four ballistic pieces and a corrective phase, each planned from the
     visible cursor; these people do not tire, learn or change strategy for a harder target.
-
-    Fields: ``base_s`` and ``per_bit_s`` the time of a first piece, base + per_bit log2(A/W + 1);
-    ``one_piece`` probability of a movement in one piece; ``reach`` and ``reach_sd`` share of the way a last
-    piece covers; ``turn_sd`` and ``curvature`` (rad) direction error and bend of a piece; ``skew`` of its
-    speed; ``reaction_s``, ``pause_s`` between pieces, ``verify_s`` before the click, ``press_s`` of the
-    button; ``friction`` b1 (1/s) and ``rate`` sqrt(b2 c) (1/s) of the corrective phase; ``delay_s`` of the
-    eyes, ``muscle_s`` lag of the muscles; ``noise`` of the motion as a share of the speed, ``tremor_m_s``;
-    ``aim_sd`` scatter of the aim as a share of the target's width.
     """
 
     name: str
-    skill: float
-    base_s: float
-    per_bit_s: float
-    one_piece: float
-    reach: float
-    reach_sd: float
-    turn_sd: float
-    curvature: float
-    skew: float
-    reaction_s: float
-    pause_s: float
-    verify_s: float
-    press_s: float
-    friction: float
-    rate: float
-    delay_s: float
-    muscle_s: float
-    noise: float
-    tremor_m_s: float
-    aim_sd: float
+    numbers: tuple[float, ...]
+    """The traits, in their order."""
+
+    @property
+    def traits(self) -> Traits:
+        """The traits by their names, a copy."""
+        return Traits(np.array(self.numbers))
 
     @classmethod
     def of_skill(cls, name: str, skill: float, generator: np.random.Generator) -> Person:
@@ -118,14 +107,14 @@ class Person(msgspec.Struct, frozen=True):
 
         >>> expert = Person.of_skill("p01", 1.0, np.random.default_rng(1))
         >>> novice = Person.of_skill("p02", 0.0, np.random.default_rng(1))
-        >>> expert.one_piece > novice.one_piece, expert.base_s < novice.base_s
-        (True, True)
+        >>> bool(expert.traits.one_piece > novice.traits.one_piece)
+        True
         """
         check((Parameter("skill", "", 0.0, 1.0, "0 novice, 1 expert"),), {"skill": skill})
 
         traits = Traits(np.zeros(Traits.length))
         grow(traits, skill, generator.standard_normal(NORMALS))
-        return cls(name, *traits.memory.tolist())
+        return cls(name, tuple(traits.memory.tolist()))
 
 
 def people(count: int = 10, seed: int = 0) -> tuple[Person, ...]:

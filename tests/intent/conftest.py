@@ -10,7 +10,7 @@ import pytest
 
 from tests.hosts import Silent, file_host
 from tests.intent import npm
-from tests.intent.packed import LIB
+from tests.intent.npm import LIB
 from tests.intent.page import IntentPage
 from tests.server import page_browser
 

@@ -14,7 +14,7 @@ import pytest
 from tests.architecture.test_web import exports
 from tests.hosts import file_host
 from tests.intent.conftest import LIB
-from tests.intent.packed import pack
+from tests.intent.npm import pack
 from tests.server import browser
 from tests.server.page_browser import Visitor
 

@@ -15,7 +15,7 @@ import pytest
 from pointpred.simulation import hand
 from tests.hosts import Silent, file_host, host
 from tests.intent import npm
-from tests.intent.packed import LIB
+from tests.intent.npm import LIB
 from tests.server import browser
 
 PAGE = """<!doctype html><title>a page</title><body style="margin: 0">

@@ -132,3 +132,15 @@ def test_a_person_with_wrong_targets_is_refused_as_in_python(wrong: str) -> None
     with pytest.raises(ParameterError) as refused:
         build("kinematic", person=wrong)
     assert (found["error"], found["field"]) == ("ParameterError", refused.value.field)
+
+
+def test_targets_that_cannot_be_used_are_refused_and_the_old_ones_kept() -> None:
+    """As ``test_targets_given`` has it for Python; the page also refuses NaN for an id."""
+    found = node.run("register.mjs", {})
+    assert len(found["told"]) == 48
+    for name, errors in found["told"].items():
+        for error in errors:
+            assert error is not None, name
+            assert (error["error"], error["code"]) == ("ParameterError", "bad_parameter"), name
+            assert "target" in error["message"], name
+    assert found["left"] == ["before", None]

@@ -35,7 +35,7 @@ def test_same_seed_same_people_other_seed_others() -> None:
 
 
 def test_skills_cover_the_range_evenly() -> None:
-    skills = sorted(person.skill for person in people(10, 0))
+    skills = sorted(person.traits.skill for person in people(10, 0))
     assert all(i / 10 <= s <= (i + 1) / 10 for i, s in enumerate(skills))
 
 

@@ -14,7 +14,7 @@ const KNOWN = {
   saveData: ["respect", "ignore"],
   enabled: ["a boolean", "a function"],
   attributes: ["a boolean"],
-  onError: ["a function", "a undefined"],
+  onError: ["a function"],
   priority: [0, 1e6],
   threshold: [1e-6, 1],
   again_s: [0, Infinity],
@@ -145,7 +145,7 @@ function optionsOf({ defaults, choices }, given = {}) {
   for (const [name, known] of Object.entries({ ...KNOWN, ...choices })) {
     const value = options[name];
     if (typeof known[0] === "number") checkNumber(name, value, /** @type {number[]} */ (known));
-    else if (!known.includes(value) && !known.includes(`a ${typeof value}`))
+    else if (value !== undefined && !known.includes(value) && !known.includes(`a ${typeof value}`))
       throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${value}`);
   }
   options.once ??= options.policy === "prefetch";

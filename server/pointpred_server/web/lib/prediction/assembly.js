@@ -56,7 +56,7 @@ export async function assemble({ DIFFERENTIATORS, GAINS, PREDICTORS }, name, opt
   if (Targets.parameters.some((one) => given[one.name] !== undefined))
     pipeline.aim = new Aim(valuesOf(Targets.parameters, given));
   pipeline.restore(person);
-  if (targets.length) pipeline.register(targets);
+  if (targets?.length !== 0) pipeline.register(targets);
   return pipeline;
 }
 

@@ -16,30 +16,34 @@ const FIELDS = ["x", "y", "width", "height", "weight"];
 
 /** The table of targets: a row each. Throws a ParameterError for too many, and for what is not usable. @param {readonly Target[]} targets */
 export function tableOf(targets) {
-  if (targets.length > MOST_TARGETS)
-    throw new ParameterError(`at most ${MOST_TARGETS} targets, received ${targets.length}`);
-  const ids = new Set();
-  for (const { id } of targets) {
-    if (ids.has(id))
-      throw new ParameterError(`the id of a target must occur once, received ${quoted(id)} twice`, { value: id });
+  if (!Array.isArray(targets)) refuse("targets must be an array", targets);
+  if (targets.length > MOST_TARGETS) refuse(`at most ${MOST_TARGETS} targets`, targets.length);
+  /** @type {Set<unknown>} */ const ids = new Set([null, undefined, NaN]); // what names no target
+  const table = targets.map((target) => {
+    const id = target?.id;
+    if (ids.has(id)) refuse("each target must have an id of its own", id);
     ids.add(id);
-  }
-  const table = targets.map(rowOf);
+    return rowOf(target);
+  });
   complete(table);
   return table;
 }
 
 /** The numbers of a target, all within their bounds. */
-function rowOf({ weight = 1, ...place }) {
-  const given = { ...place, weight },
-    row = Float64Array.from(FIELDS, (name) => given[name]);
-  const wrong = row.findIndex((value, k) => !(value >= LEAST[k] && value <= LARGEST));
-  if (wrong < 0) return row;
-  const name = FIELDS[wrong],
-    bounds = `[${general(LEAST[wrong])}, ${general(LARGEST)}]${name === "weight" ? "" : " px"}`;
-  throw new ParameterError(`${name} of target ${quoted(place.id)} must lie in ${bounds}, received ${given[name]}`, {
-    value: row[wrong],
+function rowOf({ id, ...given }) {
+  return Float64Array.from(FIELDS, (name, k) => {
+    const value = given[name] === undefined && k > 3 ? 1 : given[name];
+    if (!(typeof value === "number" && value >= LEAST[k] && value <= LARGEST))
+      refuse(
+        `${name} of target ${quoted(id)} must lie in [${general(LEAST[k])}, ${general(LARGEST)}]${k > 3 ? "" : " px"}`,
+        value,
+      );
+    return value;
   });
+}
+
+function refuse(must, value) {
+  throw new ParameterError(`${must}, received ${quoted(value)}`, { value });
 }
 
 /** The numbers of targets, each a row: of its id; of its kind and size, to the nearest power of two of its sides. */
