@@ -13,7 +13,7 @@ OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
 COMPILED = . $(if $(OBSERVERS_LAWS),./observers)
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers sanitize frameworks laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -59,13 +59,14 @@ soak: $(READY)  ## mixed clients against a real service for MINUTES (60), every 
 	$(BIN)/python -m evidence
 
 faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut networks, signals, limits
-	$(BIN)/python -m pytest -q -m '' tests/faults tests/server/test_recorder_killed.py tests/unit/test_batch.py
+	$(BIN)/python -m pytest -q -m '' tests/faults tests/server/test_recorder_killed.py tests/server/test_rolling_restart.py \
+		tests/unit/test_batch.py
 
 observers: $(READY)  ## the longer tests of observers: random plants in other units, every figure of the sources
 	$(BIN)/python -m pytest -q -m slow observers/tests tests/reproduction
 
-frameworks: $(READY)  ## build every example of the guide to frameworks with the framework's own build, in some minutes
-	$(BIN)/python -m pytest -q -m 'slow or not slow' tests/intent/test_frameworks.py tests/intent/test_framework_types.py tests/intent/test_recipes.py
+npm: $(READY)  ## install, build and drive the npm package with bundlers, frameworks and drivers, in some minutes
+	$(BIN)/python -m pytest -q -m slow tests/intent
 
 sanitize: $(READY)  ## run the laws in C under the sanitizers of addresses and undefined behaviour, with gcc
 	$(BIN)/python -m pytest -q -m slow tests/architecture

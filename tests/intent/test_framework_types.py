@@ -8,7 +8,7 @@ import pytest
 
 from tests.intent import npm
 
-pytestmark = pytest.mark.slow  # packages of npm take longest; `make frameworks` runs it
+pytestmark = pytest.mark.slow  # packages of npm take longest; `make npm` runs it
 
 CONFIG = """{
   "compilerOptions": {

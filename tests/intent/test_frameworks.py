@@ -15,7 +15,7 @@ from tests.intent.page import IntentPage
 from tests.server import browser
 from tests.server.page_browser import Visitor
 
-pytestmark = browser.needed
+pytestmark = [browser.needed, pytest.mark.slow]  # packages of npm take longest: `make npm` runs it
 
 REACT_ENTRY = """export * as react from "react";
 export { createRoot, hydrateRoot } from "react-dom/client";
@@ -113,9 +113,8 @@ def app(request: pytest.FixtureRequest, visitor: Visitor, hosted: str, out: Path
 
 
 def of(*names: str) -> pytest.MarkDecorator:
-    """A test of these bundles; those of older versions by `make frameworks` only."""
-    bundles = [pytest.param(name, marks=pytest.mark.slow if name in OLDER else ()) for name in names]
-    return pytest.mark.parametrize("app", bundles, indirect=True)
+    """A test of these bundles."""
+    return pytest.mark.parametrize("app", names, indirect=True)
 
 
 react, vue, svelte = of("react19", "react18"), of("vue"), of("svelte5", "svelte4")

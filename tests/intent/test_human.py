@@ -45,11 +45,16 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         yield f"{origin}/"
 
 
+installed = pytest.mark.slow
+"""Drivers of npm take longest: `make npm` runs it."""
+
+
 @pytest.fixture(scope="module", params=["playwright", "puppeteer"])
 def driven(request: pytest.FixtureRequest, packages: Path, address: str) -> Any:
     return drive(packages, request.param, address, 1)
 
 
+@installed
 @browser.needed
 def test_it_hovers_on_the_way_and_clicks_where_it_was_told(driven: Any) -> None:
     over = [one[4] for one in driven["seen"] if one[0] == "pointerover"]
@@ -69,6 +74,7 @@ def test_it_hovers_on_the_way_and_clicks_where_it_was_told(driven: Any) -> None:
     assert 400 <= y <= 430
 
 
+@installed
 @browser.needed
 def test_the_page_sees_the_path_of_the_seed(driven: Any) -> None:
     """A browser joins moves of one frame: what the page sees are positions of the path, in their order."""
@@ -90,6 +96,7 @@ def test_the_page_sees_the_path_of_the_seed(driven: Any) -> None:
     assert times[count - 1] - times[0] == pytest.approx(moving, abs=0.5)
 
 
+@installed
 @browser.needed
 def test_it_says_what_cannot_be_reached_and_that_it_is_a_driver(driven: Any) -> None:
     nothing, outside = driven["told"]
@@ -187,6 +194,7 @@ console.log(JSON.stringify(seen));
 """
 
 
+@installed
 @browser.needed
 @pytest.mark.skipif(shutil.which("chromedriver") is None, reason="no chromedriver on this machine")
 def test_chromedriver(packages: Path, address: str) -> None:

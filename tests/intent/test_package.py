@@ -19,6 +19,8 @@ from tests.server.page_browser import Visitor
 PACKAGE = json.loads((LIB / "package.json").read_text())
 TYPED = [name for name, entry in PACKAGE["exports"].items() if isinstance(entry, dict)]
 NODE = shutil.which("node")
+installed = pytest.mark.slow
+"""Packages of npm take longest: `make npm` runs it."""
 needs_node = pytest.mark.skipif(NODE is None, reason="no node on this machine")
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'self'"
 SCRIPTS = ("pointpred.min.js", "minimum-jerk.min.js")
@@ -62,6 +64,7 @@ def test_each_predictor_has_an_entry_and_each_entry_types() -> None:
         assert (LIB / module).is_file(), module
 
 
+@installed
 def test_what_belongs_goes_with_it(tarball: Path) -> None:
     listed = npm.run(["tar", "tzf", tarball.name], tarball.parent).stdout.split()
     found = {path.removeprefix("package/") for path in listed}
@@ -71,6 +74,7 @@ def test_what_belongs_goes_with_it(tarball: Path) -> None:
     assert rooms == {*PACKAGE["files"], "package.json", "LICENSE", "README.md"}
 
 
+@installed
 def test_an_installed_tarball_is_installed_again_by_npm_ci_and_built(project: Path) -> None:
     (project / "index.html").write_text('<script type="module" src="./main.js"></script>')
     (project / "main.js").write_text(
@@ -127,6 +131,7 @@ all.connect("ws://here", { predicter: "hold" });
 """
 
 
+@installed
 @pytest.mark.parametrize("resolution", ["bundler", "nodenext"])
 def test_types_catch_what_is_wrong(project: Path, resolution: str) -> None:
     """``@ts-expect-error`` is itself an error where the next line is right."""
@@ -155,6 +160,7 @@ def node(project: Path, script: str) -> str:
     return npm.run(["node", "--input-type=module", "-e", script], project).stdout.strip()
 
 
+@installed
 @needs_node
 def test_every_entry_is_imported_without_a_page(project: Path) -> None:
     """A server that renders pages imports the same modules; React and Vue are not installed here."""
@@ -168,6 +174,7 @@ def test_every_entry_is_imported_without_a_page(project: Path) -> None:
     assert node(project, built) == "true 0"
 
 
+@installed
 @needs_node
 @pytest.mark.parametrize(
     "call",
@@ -186,6 +193,7 @@ def test_a_call_without_a_document_says_so(project: Path, call: str) -> None:
     assert node(project, overlay).startswith("showOverlay needs a document")
 
 
+@installed
 @needs_node
 def test_importing_listens_to_nothing_and_changes_nothing(project: Path) -> None:
     """``sideEffects`` is false: a bundler may leave out any module that is not used."""
@@ -205,6 +213,7 @@ def test_importing_listens_to_nothing_and_changes_nothing(project: Path) -> None
     )
 
 
+@installed
 @browser.needed
 @pytest.mark.parametrize("script", SCRIPTS)
 def test_a_script_tag_is_enough(project: Path, visitor: Visitor, tmp_path: Path, script: str) -> None:

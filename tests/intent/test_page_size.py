@@ -10,7 +10,7 @@ import pytest
 from evidence.costs import page_size
 from tests.server import browser
 
-pytestmark = browser.needed
+pytestmark = [browser.needed, pytest.mark.slow]  # bundlers of npm: `make npm` runs it
 
 SMALL, SMALL_REQUESTS = 15_000, 5
 """What `onIntent` may take with a small predictor: bytes, compressed, and requests."""

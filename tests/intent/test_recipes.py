@@ -1,4 +1,4 @@
-"""The guide's recipes, built by their frameworks and tried with a mouse in a browser: `make frameworks`."""
+"""The guide's recipes, built by their frameworks and tried with a mouse in a browser: `make npm`."""
 
 from __future__ import annotations
 
