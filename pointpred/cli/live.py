@@ -19,7 +19,7 @@ from pointpred.cli.reading_options import (
     to_read,
     with_reading,
 )
-from pointpred.cli.shared_options import Coefficients, with_coefficients
+from pointpred.cli.shared_options import Coefficients, PredictorName, with_coefficients
 from pointpred.errors import ParameterError
 from pointpred.records import CPI, DPI
 from pointpred.registry import RECOMMENDED
@@ -44,7 +44,7 @@ def live(
             "or cursor (the screen's). Not given: the first that moves; the cursor on Windows and macOS.",
         ),
     ] = None,
-    predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
+    predictor: PredictorName = RECOMMENDED,
     cpi: Annotated[
         float | None,
         typer.Option(min=CPI[0], max=CPI[1], help="Counts per inch of the mouse, as on its box."),

@@ -7,12 +7,16 @@ from typing import Annotated, Any
 import typer
 
 from pointpred.cli.output_files import print_json
+from pointpred.cli.shared_options import complete_predictors
 from pointpred.console import NARROW, results, table
 from pointpred.registry import RECOMMENDED, REGISTRY, build, describe
 
 
 def predictors(
-    name: Annotated[str | None, typer.Argument(help="Show the parameters of this predictor.")] = None,
+    name: Annotated[
+        str | None,
+        typer.Argument(help="Show the parameters of this predictor.", autocompletion=complete_predictors),
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
     """List the predictors, or show one with its parameters, units, bounds and defaults.

@@ -20,7 +20,7 @@ from pointpred.cli.reading_options import (
     to_read,
     with_reading,
 )
-from pointpred.cli.shared_options import named_file, with_coefficients
+from pointpred.cli.shared_options import PredictorName, named_file, with_coefficients
 from pointpred.console import remark, results
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.registry import RECOMMENDED
@@ -63,7 +63,7 @@ def replay(
         float, typer.Option(help="Multiplies every position before --offset is added.", rich_help_panel=PAGE)
     ] = 1.0,
     speed: Annotated[str, typer.Option(help=SPEED)] = "1",
-    predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
+    predictor: PredictorName = RECOMMENDED,
     trial: Annotated[list[str] | None, typer.Option(help=TRIAL)] = None,
     json: Numbers = None,
     coefficients: Annotated[

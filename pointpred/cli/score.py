@@ -24,6 +24,7 @@ from pointpred.cli.shared_options import (
     Coefficients,
     Processes,
     Threads,
+    complete_predictors,
     with_coefficients,
 )
 from pointpred.console import remark, remarks
@@ -54,7 +55,11 @@ def score(
         ),
     ] = None,
     predictors: Annotated[
-        str, typer.Option(help="Names separated by commas, or 'all'; 'hold' is always among them.")
+        str,
+        typer.Option(
+            help="Names separated by commas, or 'all'; 'hold' is always among them.",
+            autocompletion=complete_predictors,
+        ),
     ] = "all",
     json: Numbers = None,
     report: Annotated[

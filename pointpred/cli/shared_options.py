@@ -12,6 +12,17 @@ from pointpred.registry import REGISTRY, build, takes
 
 PARAMETER = "coefficients"
 
+
+def complete_predictors(incomplete: str) -> list[str]:
+    """What the shell offers for names of predictors, of which ``a,b`` may hold several."""
+    begun, comma, last = incomplete.rpartition(",")
+    return [f"{begun}{comma}{name}" for name in REGISTRY if name.startswith(last)]
+
+
+PredictorName = Annotated[
+    str, typer.Option(help="A name from 'pointpred predictors'.", autocompletion=complete_predictors)
+]
+
 Coefficients = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="Coefficients for 'kinematic' names, made by 'pointpred train'."),
