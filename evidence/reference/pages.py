@@ -30,6 +30,7 @@ from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, describe
 from pointpred.registry import parameters as values_of
 from pointpred.scoring import FLOOR
 from pointpred_server.app import create_app
+from pointpred_server.cli.serve import FLAGS
 from pointpred_server.logs import EVERY_ENTRY
 from pointpred_server.metrics import Metrics
 from pointpred_server.settings import Settings
@@ -253,6 +254,7 @@ def setting_page() -> dict[str, Any]:
         "settings": [
             {
                 "name": name,
+                "flag": name in FLAGS,
                 "default": "-" if field.default is None or field.default == () else f"`{field.default}`",
                 "meaning": field.description or "",
             }

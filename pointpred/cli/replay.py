@@ -23,12 +23,12 @@ from pointpred.cli.reading_options import (
 from pointpred.cli.shared_options import PredictorName, named_file, with_coefficients
 from pointpred.console import remark, results
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.recordings.reading import Reading
 from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
     from pointpred.live.socket import Replayed
     from pointpred.recording import Recording
-    from pointpred.recordings import Reading
 
 PAGE = "As the mouse of a page"
 

@@ -31,10 +31,11 @@ from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.recording import Recording
+from pointpred.recordings.reading import Reading
 from pointpred.registry import REGISTRY, build
 
 if TYPE_CHECKING:
-    from pointpred.recordings import Reading, StoredRecording
+    from pointpred.recordings import StoredRecording
     from pointpred.scoring import Unread
 
 WORST = 6

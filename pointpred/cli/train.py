@@ -15,9 +15,9 @@ from pointpred.console import counted, plain, results, table
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.predictors.kinematic import coefficient_file
+from pointpred.recordings.reading import Reading
 
 if TYPE_CHECKING:
-    from pointpred.recordings import Reading
     from pointpred.training.train import TrainingResult
 
 HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")
