@@ -22,7 +22,6 @@ from pointpred.cli.shared_options import (
     PANEL,
     ClusterAddress,
     Coefficients,
-    Processes,
     Threads,
     complete_predictors,
     with_coefficients,
@@ -40,7 +39,7 @@ if TYPE_CHECKING:
 
 WORST = 6
 """Trials with the largest errors that a report draws of each set."""
-OUTSIDE = ("checkpoints", "cluster", "processes")
+OUTSIDE = ("checkpoints", "cluster")
 """Fields of errors that no recording is to blame for."""
 
 
@@ -74,7 +73,6 @@ def score(
         ),
     ] = False,
     threads: Threads = None,
-    processes: Processes = None,
     cluster: ClusterAddress = None,
     checkpoints: Annotated[
         Path | None,
@@ -82,14 +80,6 @@ def score(
             metavar="FOLDER",
             help="Keep the result of each chunk in this folder; the same command goes on from what is there.",
             rich_help_panel=PANEL,
-        ),
-    ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap intervals.")] = 0,
-    differentiator: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME",
-            help="The differentiator before every predictor.",
         ),
     ] = None,
     coefficients: Coefficients = None,
@@ -119,9 +109,6 @@ def score(
     names = predictor_names(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
     parameters = with_coefficients(names, coefficients)
-    if differentiator is not None:
-        chosen = {"differentiator": differentiator}
-        parameters = {name: {**parameters.get(name, {}), **chosen} for name in names}
     reasons: Reasons = {}
     if report is not None:
         require("report", "a report")  # before minutes of scoring
@@ -133,10 +120,10 @@ def score(
     from pointpred.scoring.summary.document import VERSION
     from pointpred.scoring.target_choice import TargetDocument, score_targets, summarise_targets
 
-    scoring = scoring_with(names, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed, targets=targets)
+    scoring = scoring_with(names, parameters=parameters, cpi=cpi, dpi=dpi, targets=targets)
     sets, drawn, choices = [], [], []
     with (
-        open_executor(threads=threads, processes=processes, cluster=cluster) as executor,
+        open_executor(threads=threads, cluster=cluster) as executor,
         following(events=True) as progress,
     ):
         for source in _sources(files, reading, reasons, whole=targets):
@@ -149,7 +136,7 @@ def score(
                     drawn.append(scored.joined(WORST))
                 if targets and isinstance(source, Recording):
                     made = score_targets(
-                        source, names, seed=seed, threads=threads, cpi=cpi, dpi=dpi, parameters=parameters
+                        source, names, threads=threads, cpi=cpi, dpi=dpi, parameters=parameters
                     )
                     choices += [summarise_targets(kind) for kind in made]
             except Exception as error:  # whatever is wrong with one recording, the others are scored

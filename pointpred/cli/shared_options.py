@@ -34,15 +34,12 @@ Threads = Annotated[
     int | None,
     typer.Option(min=1, max=1024, help="Number of threads. Not given: one for each processor."),
 ]
-Processes = Annotated[
-    int | None,
-    typer.Option(min=1, max=1024, help="Number of processes instead of threads.", rich_help_panel=PANEL),
-]
 ClusterAddress = Annotated[
     str | None,
     typer.Option(
         metavar="ADDRESS",
-        help="A Dask cluster instead of threads: its scheduler's address, or local.",
+        help="A Dask cluster instead of threads: its scheduler's address, or local for processes on this "
+        "machine.",
         rich_help_panel=PANEL,
     ),
 ]
