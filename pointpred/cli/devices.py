@@ -103,9 +103,7 @@ def watch(
             metavar="[DEVICE]", help="As --device of 'pointpred live'. Not given: the first that moves."
         ),
     ] = None,
-    seconds: Annotated[
-        float | None, typer.Option("--for", min=0.0, metavar="SECONDS", help="Stop after this long.")
-    ] = None,
+    seconds: Annotated[float | None, typer.Option(min=0.0, help="Stop after this many seconds.")] = None,
 ) -> None:
     """Show what a mouse sends until Ctrl-C: counts, buttons, wheels, reports a second, and what was lost.
 
@@ -115,7 +113,7 @@ def watch(
 
       pointpred devices watch
 
-      pointpred devices watch /dev/hidraw2 --for 10
+      pointpred devices watch /dev/hidraw2 --seconds 10
     """
     from pointpred.devices.selection import choose
 
