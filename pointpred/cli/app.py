@@ -90,9 +90,6 @@ class LazyCommand(TyperCommand):
 
     def loaded(self) -> Any:
         """The command, or the group of commands."""
-        from pointpred.registry import find_others
-
-        find_others()
         found = self._load()
         if isinstance(found, typer.Typer):
             found.info.help = self.help

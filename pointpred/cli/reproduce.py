@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from pointpred.cli.output_files import Force, check_free, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, check_free, check_targets, write_json
 from pointpred.console import remark, remarks, results, table
 from pointpred.errors import ParameterError
 from pointpred.extras import require
@@ -40,9 +40,7 @@ def reproduce(
             "the folder that holds sniffer.csv (3.10, 3.11).",
         ),
     ] = None,
-    json: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the numbers as JSON; - for stdout.")
-    ] = None,
+    json: Numbers = None,
     force: Force = False,
 ) -> None:
     """Make a figure or table of the thesis or of the camera paper again, with its numbers beside the print.

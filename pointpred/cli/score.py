@@ -31,7 +31,6 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.recording import Recording
 from pointpred.recordings.reading import Reading
-from pointpred.registry import REGISTRY, build
 
 if TYPE_CHECKING:
     from pointpred.recordings import StoredRecording
@@ -180,6 +179,8 @@ def _unread(reasons: Reasons) -> list[Unread]:
 
 def predictor_names(text: str) -> list[str]:
     """The predictors named in ``a,b`` or ``all``; raises ParameterError for an unknown or an empty list."""
+    from pointpred.registry import REGISTRY, build
+
     if text.strip() == "all":
         return list(REGISTRY)
     names = list(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))

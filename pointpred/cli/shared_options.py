@@ -8,13 +8,15 @@ from typing import Annotated, Any
 import typer
 
 from pointpred.errors import ParameterError
-from pointpred.registry import REGISTRY, build, takes
 
 PARAMETER = "coefficients"
 
 
 def complete_predictors(incomplete: str) -> list[str]:
     """What the shell offers for names of predictors, of which ``a,b`` may hold several."""
+    from pointpred.registry import REGISTRY, find_others
+
+    find_others()
     begun, comma, last = incomplete.rpartition(",")
     return [f"{begun}{comma}{name}" for name in REGISTRY if name.startswith(last)]
 
@@ -64,6 +66,8 @@ def with_coefficients(names: list[str], file: Path | None) -> dict[str, dict[str
     """
     if file is None:
         return {}
+    from pointpred.registry import REGISTRY, build, takes
+
     taking = [name for name in names if takes(name, PARAMETER)]
     if not taking:
         takers = ", ".join(name for name in REGISTRY if takes(name, PARAMETER))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from pointpred.cli.output_files import check_targets, write_json
+from pointpred.cli.output_files import Numbers, Seed, check_targets, write_json
 from pointpred.cli.reading_options import as_given, in_memory, to_read, with_reading
 from pointpred.cli.shared_options import ClusterAddress, Threads
 from pointpred.console import counted, plain, results, table
@@ -44,12 +44,10 @@ def train(
         ),
     ],
     out: Annotated[Path, typer.Option(metavar="FILE", help="The file to write, such as me.npz.")],
-    seed: Annotated[int, typer.Option(min=0, help="Seed of everything that is drawn.")] = 1,
+    seed: Seed = 1,
     threads: Threads = None,
     cluster: ClusterAddress = None,
-    json: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the scores as JSON; - for stdout.")
-    ] = None,
+    json: Numbers = None,
     *,
     reading: Reading,
 ) -> None:

@@ -41,6 +41,11 @@ def test_help_teaches_by_example(command, words: tuple[str, ...]) -> None:
 EVERY = {tuple(words.split()[1:]): one for words, one in walked(get_command(app), "pointpred")}
 
 
+def test_there_are_no_more_options_than_somebody_can_look_through() -> None:
+    named = {word for one in EVERY.values() for each in one.params for word in each.opts if word[:2] == "--"}
+    assert len(named) <= 70
+
+
 @pytest.mark.parametrize("name", SUMMARIES)
 def test_the_list_of_commands_says_what_each_says_of_itself(name: str) -> None:
     listed = vars(get_command(app))["commands"][name]

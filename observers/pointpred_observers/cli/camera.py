@@ -7,7 +7,15 @@ from typing import Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import check_free, check_target, check_targets, write_json
+from pointpred.cli.output_files import (
+    Force,
+    Numbers,
+    Seed,
+    check_free,
+    check_target,
+    check_targets,
+    write_json,
+)
 from pointpred.cli.reading_options import check_exists
 from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
@@ -32,8 +40,8 @@ def simulate(
     out: Annotated[Path, typer.Option(metavar="FILE", help="CSV file to write.")] = Path("camera.csv"),
     seconds: Annotated[float, typer.Option(help="Length, s.")] = 10.0,
     noise: Seen = 2.0,
-    seed: Annotated[int, typer.Option(help="Seed; the same seed gives the same file.")] = 0,
-    force: Annotated[bool, typer.Option("--force", help="Replace files that exist.")] = False,
+    seed: Seed = 0,
+    force: Force = False,
 ) -> None:
     """Write simulated data of a moving camera, and the true values to a second file (_truth).
 
@@ -101,7 +109,7 @@ def run(
         typer.Option(metavar="FILE", callback=check_exists, dir_okay=False, help="CSV with the true values."),
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
-    json: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JSON; - for stdout.")] = None,
+    json: Numbers = None,
 ) -> None:
     """Estimate depth and velocity: the unknown input observer, and a Kalman filter that uses the image.
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import Force, check_free, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, Seed, check_free, check_targets, write_json
 from pointpred.cli.reading_options import check_exists
 from pointpred.console import remarks
 from pointpred.errors import ParameterError
@@ -24,7 +24,6 @@ PlantFile = Annotated[
 DesignFile = Annotated[
     Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a design.")
 ]
-Json = Annotated[Path | None, typer.Option(metavar="FILE", help="Write the numbers as JSON; - for stdout.")]
 
 
 @app.command()
@@ -107,7 +106,7 @@ def design(
             metavar="EXPRESSION", help="The steady state of the first lower row, such as w1 (interlaced)."
         ),
     ] = None,
-    json: Json = None,
+    json: Numbers = None,
     force: Force = False,
 ) -> None:
     """Design an observer for the plant of a file, and write it with its certificate.
@@ -153,7 +152,7 @@ def design(
 
 
 @app.command()
-def audit(design: DesignFile, json: Json = None) -> None:
+def audit(design: DesignFile, json: Numbers = None) -> None:
     """Check every inequality and equality of a design again, from the matrices in its file.
 
     Prints how far each inequality holds, and the bound of the error that they prove. Exit code 1 if one
@@ -200,12 +199,12 @@ def simulate(
     noise: Annotated[
         str, typer.Option(metavar="SD", help="Standard deviation of the outputs' noise, or one for each.")
     ] = "0",
-    seed: Annotated[int, typer.Option(help="Seed of the noise.")] = 0,
+    seed: Seed = 0,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Figure to draw: .svg, .png or .pdf.")
     ] = None,
     out: Annotated[Path | None, typer.Option(metavar="FILE", help="CSV file of every signal.")] = None,
-    json: Json = None,
+    json: Numbers = None,
     force: Force = False,
 ) -> None:
     """Simulate a design with its plant: print the errors, draw them, write every signal.

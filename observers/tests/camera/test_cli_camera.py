@@ -199,7 +199,7 @@ def test_simulate_replaces_nothing_unasked(simulated: Path, command: Callable) -
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (("--seed", "-1"), "seed must be a whole number not below 0, received -1"),
+        (("--seed", "-1"), "--seed must be at least 0, received '-1'"),
         (("--seconds", "1e6"), "at most 1e+07 samples can be simulated, received 1e+06 s x 33 images/s"),
         (("--seconds", "0"), "duration_s must lie in (0, 1e6]"),
     ],
