@@ -237,6 +237,17 @@ def test_nothing_heavy_is_imported_without_need(arguments: list[str], allowed: t
     assert found == str([name for name in HEAVY if name in allowed])
 
 
+def test_the_list_of_commands_loads_no_command_and_no_arrays() -> None:
+    code = (
+        "import sys\nfrom pointpred.cli import main\n"
+        "try: main(['--help'])\nexcept SystemExit: pass\n"
+        "loaded = {'numpy', 'pydantic', 'pointpred.registry', 'pointpred.cli.score'} & set(sys.modules)\n"
+        "sys.stderr.write(f'{loaded}')"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stderr == "set()"
+
+
 def test_the_package_loads_nothing_before_the_command_can_catch_an_interrupt() -> None:
     code = "import sys, pointpred.cli; print({'numpy', 'typer'} & set(sys.modules))"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

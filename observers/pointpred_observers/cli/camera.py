@@ -174,5 +174,5 @@ def _pipeline(focal_px: float, start: str, noise: float) -> Any:
     deviation = max(noise / 3.0**0.5, SMALLEST_PX)
     observer = DepthObserver(focal_px=focal_px, start_chi=1.0 / depth, start_eta=vz / depth)
     return CameraPipeline(
-        observer, PointFilter(focal_px=focal_px, noise_px=deviation), way=FED, noise_px=noise
+        observer, PointFilter(focal_px=focal_px, noise_px=deviation), way=FED, noise_px=deviation
     )
