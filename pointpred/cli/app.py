@@ -92,7 +92,7 @@ class LazyCommand(TyperCommand):
         """The command, or the group of commands."""
         found = self._load()
         if isinstance(found, typer.Typer):
-            found.info.help = self.help
+            found.info.help = SUMMARIES.get(self.name or "", found.info.help)
             add_help(found)
             return get_group(found)
         single = typer.Typer(add_completion=False)

@@ -15,7 +15,7 @@ BOUNDLESS = 1000
 
 BY_HAND = "by hand, address below"
 
-app = typer.Typer(no_args_is_help=True, help="Public recordings: which exist, and how to get them.")
+app = typer.Typer(no_args_is_help=True)
 
 
 def _complete(incomplete: str) -> list[str]:

@@ -18,10 +18,7 @@ from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, Rep
 from pointpred.errors import SourceError
 from pointpred.live.session import ReportRate
 
-app = typer.Typer(
-    no_args_is_help=True,
-    help="The mice of this machine: which can be read, how to get permission, and what they send.",
-)
+app = typer.Typer(no_args_is_help=True)
 
 AGAIN_S = 0.1
 """Between two drawings of a watched device in a terminal; elsewhere a line is written each second."""

@@ -15,7 +15,7 @@ from pointpred.errors import ParameterError
 if TYPE_CHECKING:
     from pointpred.recorder.recordings import Recorded
 
-app = typer.Typer(no_args_is_help=True, help="Sessions that 'pointpred serve --record FOLDER' has kept.")
+app = typer.Typer(no_args_is_help=True)
 
 Folder = Annotated[
     Path | None,

@@ -20,9 +20,7 @@ from pointpred.cli.reading_options import check_exists
 from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
 
-app = typer.Typer(
-    no_args_is_help=True, help="Depth and velocity of a camera from one tracked point and an inertial sensor."
-)
+app = typer.Typer(no_args_is_help=True)
 Focal = Annotated[float, typer.Option(metavar="PX", help="Focal length in px; there is no default.")]
 Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point: uniform in +- this many px.")]
 FED = "kalman-two-state"

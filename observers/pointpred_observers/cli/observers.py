@@ -17,7 +17,7 @@ from pointpred.files import write_whole
 if TYPE_CHECKING:
     from pointpred_observers import Simulation
 
-app = typer.Typer(no_args_is_help=True, help="Observers with proofs: design, audit and simulate from files.")
+app = typer.Typer(no_args_is_help=True)
 PlantFile = Annotated[
     Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a plant.")
 ]
