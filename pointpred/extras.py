@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import json
-import shlex
 import sys
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, distribution
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
-from urllib.parse import urlsplit
-from urllib.request import url2pathname
 from warnings import warn
 
 from pointpred.errors import MissingExtraError
@@ -69,6 +65,8 @@ def install_command(extra: str = "", *, of: str = OWN) -> str:
 
     ``of``: the distribution; in a checkout ``pointpred-observers`` lies in the folder ``observers``.
     """
+    import shlex
+
     checkout, brackets = _checkout(), extra and f"[{extra}]"
     if checkout and of != OWN:
         checkout = str(Path(checkout, of.removeprefix(f"{OWN}-")))
@@ -78,6 +76,11 @@ def install_command(extra: str = "", *, of: str = OWN) -> str:
 
 def _checkout() -> str | None:
     """The folder of the sources, where pointpred was installed from them with ``pip install -e``."""
+    # Here, because every start of the command loads this module.
+    import json
+    from urllib.parse import urlsplit
+    from urllib.request import url2pathname
+
     try:
         record = json.loads(distribution(OWN).read_text("direct_url.json") or "{}")
     except (PackageNotFoundError, ValueError):

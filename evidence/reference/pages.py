@@ -19,7 +19,7 @@ from evidence.reference.asyncapi import CLOSES, CODES
 from evidence.results.page import overall
 from evidence.results.records import stored
 from pointpred import errors
-from pointpred.cli.app import DONE, INTERRUPTED, NOTHING, WRONG_USE, app
+from pointpred.cli.app import DONE, INTERRUPTED, NOTHING, WRONG_USE, LazyCommand, app
 from pointpred.cli.help_text import VALUES
 from pointpred.cli.reading_options import PANEL, TABLES
 from pointpred.differentiators import DIFFERENTIATORS
@@ -30,6 +30,7 @@ from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, describe
 from pointpred.registry import parameters as values_of
 from pointpred.scoring import FLOOR
 from pointpred_server.app import create_app
+from pointpred_server.cli.serve import FLAGS
 from pointpred_server.logs import EVERY_ENTRY
 from pointpred_server.metrics import Metrics
 from pointpred_server.settings import Settings
@@ -60,15 +61,21 @@ class Command(msgspec.Struct, frozen=True):
     """Those that say how recordings are read, which several commands share."""
 
 
-def commands(group: Any, name: str) -> Iterator[Command]:
-    """Every command below a group."""
-    for key, one in group.commands.items():
-        whole = f"{name} {key}"
+def walked(group: Any, name: str) -> Iterator[tuple[str, Any]]:
+    """Every command below a group that does something, by the words that call it."""
+    for key, listed in group.commands.items():
+        one = listed.loaded() if isinstance(listed, LazyCommand) else listed
         if hasattr(one, "commands"):
-            yield from commands(one, whole)
+            yield from walked(one, f"{name} {key}")
         else:
-            summary = (one.help or "").split("\n\n")[0].replace("\n", " ")
-            yield Command(whole, summary, tuple(_settings(one, False)), tuple(_settings(one, True)))
+            yield f"{name} {key}", one
+
+
+def commands(group: Any, name: str) -> Iterator[Command]:
+    """The same as the page shows them."""
+    for words, one in walked(group, name):
+        summary = (one.help or "").split("\n\n")[0].replace("\n", " ")
+        yield Command(words, summary, tuple(_settings(one, False)), tuple(_settings(one, True)))
 
 
 def _settings(command: Any, of_reading: bool) -> Iterator[Setting]:
@@ -247,6 +254,7 @@ def setting_page() -> dict[str, Any]:
         "settings": [
             {
                 "name": name,
+                "flag": name in FLAGS,
                 "default": "-" if field.default is None or field.default == () else f"`{field.default}`",
                 "meaning": field.description or "",
             }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -11,9 +11,7 @@ from pointpred.cli.output_files import Force, Out, check_recording
 from pointpred.cli.reading_options import as_given, recordings_in, to_read, with_reading
 from pointpred.console import counted, remarks
 from pointpred.errors import RecordingError
-
-if TYPE_CHECKING:
-    from pointpred.recordings import Reading
+from pointpred.recordings.reading import Reading
 
 
 @with_reading

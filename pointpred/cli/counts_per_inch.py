@@ -12,7 +12,7 @@ import typer
 
 from pointpred.console import remarks
 from pointpred.devices.source import DeviceSource
-from pointpred.errors import ParameterError, SourceError
+from pointpred.errors import SourceError
 from pointpred.records import CPI
 
 DISTANCE_CM = 10.0
@@ -25,15 +25,13 @@ BENT = 1.1
 """A way this much longer than the straight line between its ends was no straight move."""
 
 
-def counts_per_inch(source: DeviceSource, cpi: float | None, measured: bool) -> float | None:
-    """Counts per inch: given, measured with the open source, or asked for where somebody can answer."""
-    if cpi is not None and measured:
-        raise ParameterError("give either --cpi or --measure-cpi", field="cpi")
-    if cpi is None and not measured and sys.stdin.isatty() and sys.stdout.isatty():
+def counts_per_inch(source: DeviceSource, cpi: float | None) -> float | None:
+    """Counts per inch: given, or asked for where somebody can answer, and measured if they say so."""
+    if cpi is None and sys.stdin.isatty() and sys.stdout.isatty():
         answer = typer.prompt(QUESTION, value_proc=_cpi)
-        measured, cpi = answer == "m", answer if isinstance(answer, float) else None
-    if measured:
-        return _measured(source)
+        if answer == "m":
+            return _measured(source)
+        cpi = answer if isinstance(answer, float) else None
     if cpi is None:
         remarks().print("no --cpi: one count counts as one px, and speeds of the hand are guesses")
     return cpi

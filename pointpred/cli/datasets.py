@@ -15,7 +15,13 @@ BOUNDLESS = 1000
 
 BY_HAND = "by hand, address below"
 
-app = typer.Typer(no_args_is_help=True, help="Public recordings: which exist, and how to get them.")
+app = typer.Typer(no_args_is_help=True)
+
+
+def _complete(incomplete: str) -> list[str]:
+    from pointpred.datasets import listing
+
+    return [one.name for one in listing() if one.fetchable and one.name.startswith(incomplete)]
 
 
 @app.command("list")
@@ -56,7 +62,9 @@ def list_sets(
 
 @app.command("fetch")
 def fetch_set(
-    name: Annotated[str, typer.Argument(help="A name from 'pointpred datasets list'.")],
+    name: Annotated[
+        str, typer.Argument(help="A name from 'pointpred datasets list'.", autocompletion=_complete)
+    ],
     folder: Annotated[
         Path, typer.Option(metavar="FOLDER", file_okay=False, help="Where to put it; made if missing.")
     ] = Path("recordings"),

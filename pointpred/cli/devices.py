@@ -18,10 +18,7 @@ from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, Rep
 from pointpred.errors import SourceError
 from pointpred.live.session import ReportRate
 
-app = typer.Typer(
-    no_args_is_help=True,
-    help="The mice of this machine: which can be read, how to get permission, and what they send.",
-)
+app = typer.Typer(no_args_is_help=True)
 
 AGAIN_S = 0.1
 """Between two drawings of a watched device in a terminal; elsewhere a line is written each second."""
@@ -103,9 +100,7 @@ def watch(
             metavar="[DEVICE]", help="As --device of 'pointpred live'. Not given: the first that moves."
         ),
     ] = None,
-    seconds: Annotated[
-        float | None, typer.Option("--for", min=0.0, metavar="SECONDS", help="Stop after this long.")
-    ] = None,
+    seconds: Annotated[float | None, typer.Option(min=0.0, help="Stop after this many seconds.")] = None,
 ) -> None:
     """Show what a mouse sends until Ctrl-C: counts, buttons, wheels, reports a second, and what was lost.
 
@@ -115,7 +110,7 @@ def watch(
 
       pointpred devices watch
 
-      pointpred devices watch /dev/hidraw2 --for 10
+      pointpred devices watch /dev/hidraw2 --seconds 10
     """
     from pointpred.devices.selection import choose
 

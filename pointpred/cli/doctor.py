@@ -9,13 +9,13 @@ from contextlib import closing
 from importlib.metadata import entry_points
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Literal
 
 import msgspec
 import typer
 
 from pointpred import compiled
-from pointpred.cli.output_files import print_json
+from pointpred.cli.output_files import AsJson, print_json
 from pointpred.console import counted, results, table
 from pointpred.errors import PointpredError, SourceError
 from pointpred.extras import EXTRAS, absent, install_command
@@ -32,9 +32,7 @@ class Finding(msgspec.Struct, frozen=True):
     advice: str | None = None
 
 
-def doctor(
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
-) -> None:
+def doctor(as_json: AsJson = False) -> None:
     """Check the installation: what works, what is missing, and what to do about it.
 
     Exits with 1 when something essential is broken, otherwise with 0.

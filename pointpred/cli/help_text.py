@@ -58,16 +58,23 @@ class _Command(TyperCommand):
     def get_params(self, ctx: Any) -> list[Any]:
         return _named(super().get_params(ctx))
 
+    def invoke(self, ctx: Any) -> Any:
+        from pointpred.registry import find_others  # not for the help, which needs no predictor
+
+        find_others()
+        return super().invoke(ctx)
+
     def format_help(self, ctx: Any, formatter: Any) -> None:
         super().format_help(ctx, formatter)
         if lines := examples(self.callback):
             formatter.write("\n".join(["", " Try:", "", *(f"   {line}" for line in lines), ""]))
 
 
-class _Group(TyperGroup):
+class Group(TyperGroup):
     """A group of commands."""
 
     def get_params(self, ctx: Any) -> list[Any]:
+        """Its options."""
         return _named(super().get_params(ctx))
 
 
@@ -87,7 +94,7 @@ def add_help(app: typer.Typer) -> None:
     """Set the help of every command of ``app``, and of its groups, from its docstring."""
     from rich.markup import escape
 
-    app.info.cls = _Group
+    app.info.cls = Group
     for command in app.registered_commands:
         command.cls = _Command
         if command.callback is not None and command.help is None:

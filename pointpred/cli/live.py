@@ -19,18 +19,17 @@ from pointpred.cli.reading_options import (
     to_read,
     with_reading,
 )
-from pointpred.cli.shared_options import Coefficients, with_coefficients
+from pointpred.cli.shared_options import Coefficients, PredictorName, with_coefficients
 from pointpred.errors import ParameterError
+from pointpred.recordings.reading import Reading
 from pointpred.records import CPI, DPI
 from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
     from pointpred.live.run import OutputOptions
     from pointpred.protocol.client_messages import Rectangle
-    from pointpred.recordings import Reading
 
 REPLAY = "Without a device"
-LSL = "Lab Streaming Layer (extra live)"
 DPI_USUAL = 96.0
 
 
@@ -40,18 +39,21 @@ def live(
         str | None,
         typer.Option(
             metavar="NAME",
-            help="Device to read: /dev/input/event5, event5, hidraw2, a link, a part of its name, "
-            "or cursor (the screen's). Not given: the first that moves; the cursor on Windows and macOS.",
+            help="Device to read: /dev/input/event5, event5, hidraw2, a link, a part of its name, cursor "
+            "(the screen's), or lsl:STREAM (of Lab Streaming Layer, with channels x and y). Not given: the "
+            "first that moves; the cursor on Windows and macOS.",
         ),
     ] = None,
-    predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
+    predictor: PredictorName = RECOMMENDED,
     cpi: Annotated[
         float | None,
-        typer.Option(min=CPI[0], max=CPI[1], help="Counts per inch of the mouse, as on its box."),
+        typer.Option(
+            min=CPI[0],
+            max=CPI[1],
+            help="Counts per inch of the mouse, as on its box. Not given: asked for in a terminal, where "
+            "they can be measured, too.",
+        ),
     ] = None,
-    measure_cpi: Annotated[
-        bool, typer.Option("--measure-cpi", help="Measure the counts per inch first, with a ruler of 10 cm.")
-    ] = False,
     dpi: Annotated[
         float | None, typer.Option(min=DPI[0], max=DPI[1], help="Pixels per inch of the screen (96).")
     ] = None,
@@ -72,7 +74,6 @@ def live(
         Path | None,
         typer.Option(metavar="FILE", help="Save the transfer function learned from the screen's cursor."),
     ] = None,
-    display: Annotated[str | None, typer.Option(help="X11 display. Not given: the one in DISPLAY.")] = None,
     record: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Record to this file; 'pointpred score' reads it.")
     ] = None,
@@ -96,20 +97,12 @@ def live(
     host: Annotated[str | None, typer.Option(help="With --serve: address to listen on.")] = None,
     port: Annotated[int | None, typer.Option(min=0, max=65535, help="With --serve: port.")] = None,
     seconds: Annotated[float | None, typer.Option(min=0.0, help="Stop after this many seconds.")] = None,
-    lsl: Annotated[
-        str | None,
-        typer.Option(
-            metavar="STREAM",
-            help="Follow the positions of this stream instead of a mouse; its channels are labelled x and y.",
-            rich_help_panel=LSL,
-        ),
-    ] = None,
     lsl_out: Annotated[
         bool,
         typer.Option(
             "--lsl-out",
-            help="Send the predictions as the stream 'pointpred'. Other machines on the network can read it.",
-            rich_help_panel=LSL,
+            help="Send the predictions as the stream 'pointpred' of Lab Streaming Layer. Other machines on "
+            "the network can read it.",
         ),
     ] = False,
     replay: Annotated[
@@ -190,18 +183,15 @@ def live(
         from pointpred.live.follow import DeviceOptions, follow_device
 
         follow_device(
-            DeviceOptions(device, lsl, cursor, transfer, display, measure_cpi, person),
+            DeviceOptions(device, cursor, transfer, person),
             outputs(cpi, dpi),
-            lambda source, cpi: counts_per_inch(source, cpi, measure_cpi),
+            counts_per_inch,
         )
         return
     for name, value in (
         ("device", device),
-        ("measure-cpi", measure_cpi or None),
         ("transfer", transfer),
-        ("display", display),
         ("person", person),
-        ("lsl", lsl),
         ("cursor", None if cursor == "auto" else cursor),
     ):
         if value is not None:

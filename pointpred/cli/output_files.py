@@ -19,6 +19,7 @@ from pointpred.files import write_whole
 Out = Annotated[Path, typer.Option(metavar="FILE", help="Samples file to write: .parquet or .csv.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON with everything known.")]
+Seed = Annotated[int, typer.Option(min=0, help="Seed; the same seed gives the same result.")]
 Numbers = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),

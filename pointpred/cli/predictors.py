@@ -6,14 +6,18 @@ from typing import Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import print_json
+from pointpred.cli.output_files import AsJson, print_json
+from pointpred.cli.shared_options import complete_predictors
 from pointpred.console import NARROW, results, table
 from pointpred.registry import RECOMMENDED, REGISTRY, build, describe
 
 
 def predictors(
-    name: Annotated[str | None, typer.Argument(help="Show the parameters of this predictor.")] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    name: Annotated[
+        str | None,
+        typer.Argument(help="Show the parameters of this predictor.", autocompletion=complete_predictors),
+    ] = None,
+    as_json: AsJson = False,
 ) -> None:
     """List the predictors, or show one with its parameters, units, bounds and defaults.
 

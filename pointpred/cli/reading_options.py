@@ -6,8 +6,7 @@ import math
 import re
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import wraps
-from inspect import Parameter, Signature, signature
+from inspect import Parameter
 from pathlib import Path
 from shutil import copyfileobj
 from tempfile import TemporaryDirectory
@@ -26,6 +25,7 @@ from typing import (
 import msgspec
 import typer
 
+from pointpred.cli.options import option, with_options
 from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.recording import Recording
@@ -171,50 +171,26 @@ def options_in(reading: Reading) -> list[tuple[str, object]]:
     return [(name, value) for name, value in values if value != getattr(AS_IS, name)]
 
 
-def with_reading(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the options of a ``Reading``, and what they say as its parameter ``reading``.
-
-    An option that the command has itself, such as ``cpi``, is passed to both; where the command does not say
-    what it means, it means what it does for ``Reading``.
-    """
-    own = {name: one for name, one in _parameters(command).items() if name != "reading"}
-    options = dict(_options())
-
-    @wraps(command)
-    def run(**arguments: Any) -> None:
-        values = reading(**{name: arguments[name] for name in options})
-        command(**{name: arguments[name] for name in own}, reading=values)
-
-    # The interface of the command line is made from the signature and the annotations.
-    declared = {name for name, one in own.items() if get_origin(one.annotation) is Annotated}
-    shown = own | {name: one for name, one in options.items() if name not in declared}
-    run.__dict__["__signature__"] = Signature(list(shown.values()))
-    run.__annotations__ = {name: one.annotation for name, one in shown.items()}
-    return run
-
-
-def _options() -> Iterator[tuple[str, Parameter]]:
-    """The fields of a ``Reading`` that a command can be told, as its parameters."""
+def _options() -> Iterator[Parameter]:
+    """The fields of a ``Reading`` that a command can be told."""
     for name, annotated in get_type_hints(Reading, include_extras=True).items():
         if get_origin(annotated) is not Annotated:
             continue
         kind, about = get_args(annotated)
         flag = kind is bool
         value: Any = float if float in (kind, *get_args(kind)) and name not in PARSED else str
-        option = typer.Option(
-            *([f"--{name.replace('_', '-')}"] if flag else []),
+        yield option(
+            name,
+            bool if flag else value | None,
+            False if flag else None,
             help=about.description,
             metavar=about.extra["metavar"],
             rich_help_panel=TABLES if about.extra["table"] else PANEL,
         )
-        kind = Annotated[bool if flag else value | None, option]
-        yield name, Parameter(name, Parameter.KEYWORD_ONLY, default=False if flag else None, annotation=kind)
 
 
-def _parameters(function: Callable[..., Any]) -> dict[str, Parameter]:
-    """The parameters with their types."""
-    types = get_type_hints(function, localns={"Reading": Reading}, include_extras=True)
-    return {name: one.replace(annotation=types[name]) for name, one in signature(function).parameters.items()}
+with_reading = with_options("reading", _options(), reading)
+"""Gives a command the options of a ``Reading``, and what they say as its parameter ``reading``."""
 
 
 def in_memory(files: list[Path], reading: Reading, reasons: Reasons) -> Iterator[Recording]:

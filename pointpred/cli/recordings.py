@@ -15,7 +15,7 @@ from pointpred.errors import ParameterError
 if TYPE_CHECKING:
     from pointpred.recorder.recordings import Recorded
 
-app = typer.Typer(no_args_is_help=True, help="Sessions that 'pointpred serve --record FOLDER' has kept.")
+app = typer.Typer(no_args_is_help=True)
 
 Folder = Annotated[
     Path | None,
@@ -86,7 +86,7 @@ def delete_recordings(
     ] = None,
     folder: Folder = None,
     everything: Annotated[bool, typer.Option("--all", help="Delete every recording in the folder.")] = False,
-    yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask for confirmation.")] = False,
+    force: Annotated[bool, typer.Option("--force", help="Do not ask for confirmation.")] = False,
 ) -> None:
     """Delete recorded sessions and all their files. This cannot be undone.
 
@@ -112,7 +112,7 @@ def delete_recordings(
         return
     present = all(name in there for name in wanted)
     many = counted(len(wanted), "recording")
-    if present and not yes and not _sure(f"Delete {many} ({_size(size)}) in {chosen}?"):
+    if present and not force and not _sure(f"Delete {many} ({_size(size)}) in {chosen}?"):
         remarks().print("nothing was deleted")
         raise typer.Exit(1)
     gone = delete(chosen, wanted)

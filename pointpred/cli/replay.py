@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -20,17 +19,15 @@ from pointpred.cli.reading_options import (
     to_read,
     with_reading,
 )
-from pointpred.cli.shared_options import named_file, with_coefficients
+from pointpred.cli.shared_options import PredictorName, named_file, with_coefficients
 from pointpred.console import remark, results
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.recordings.reading import Reading
 from pointpred.registry import RECOMMENDED
 
 if TYPE_CHECKING:
     from pointpred.live.socket import Replayed
     from pointpred.recording import Recording
-    from pointpred.recordings import Reading
-
-PAGE = "As the mouse of a page"
 
 
 @with_reading
@@ -44,26 +41,21 @@ def replay(
         ),
     ] = None,
     to: Annotated[
-        str | None, typer.Option(metavar="URL", help="Address of a service, ws:// or http://.")
+        str | None,
+        typer.Option(
+            metavar="URL", help="Address of a service, ws:// or http://; with --devtools, of a page to open."
+        ),
     ] = None,
     devtools: Annotated[
         str | None,
         typer.Option(
-            metavar="URL", help="DevTools of a browser, such as http://127.0.0.1:9222.", rich_help_panel=PAGE
+            metavar="URL",
+            help="Play as the mouse of the browser with these DevTools, such as http://127.0.0.1:9222; "
+            "without --to in its first tab.",
         ),
     ] = None,
-    url: Annotated[
-        str | None,
-        typer.Option(metavar="PAGE", help="Page to open. Not given: the first tab.", rich_help_panel=PAGE),
-    ] = None,
-    offset: Annotated[
-        str, typer.Option(metavar="X,Y", help="Added to every position, px.", rich_help_panel=PAGE)
-    ] = "0,0",
-    scale: Annotated[
-        float, typer.Option(help="Multiplies every position before --offset is added.", rich_help_panel=PAGE)
-    ] = 1.0,
     speed: Annotated[str, typer.Option(help=SPEED)] = "1",
-    predictor: Annotated[str, typer.Option(help="A name from 'pointpred predictors'.")] = RECOMMENDED,
+    predictor: PredictorName = RECOMMENDED,
     trial: Annotated[list[str] | None, typer.Option(help=TRIAL)] = None,
     json: Numbers = None,
     coefficients: Annotated[
@@ -91,13 +83,13 @@ def replay(
 
       pointpred replay study_samples.parquet --to ws://127.0.0.1:8765 --speed max --json -
 
-      pointpred replay study_samples.parquet --devtools http://127.0.0.1:9222 --url http://127.0.0.1:8765/
+      pointpred replay study_samples.parquet --devtools http://127.0.0.1:9222 --to http://127.0.0.1:8765/
     """
-    if (to is None) == (devtools is None):
-        raise ParameterError("give either --to URL of a service or --devtools URL of a browser")
-    if coefficients is not None and to is None:
-        raise ParameterError("--coefficients needs --to: a page's service chooses its own")
-    pace, shift = speed_of(speed), _pair(offset)
+    if to is None and devtools is None:
+        raise ParameterError("give --to URL of a service, or --devtools URL of a browser")
+    if coefficients is not None and devtools is not None:
+        raise ParameterError("--coefficients is for a service; a page's chooses its own")
+    pace = speed_of(speed)
     own = named_file(coefficients)
     if own is not None:
         with_coefficients([predictor], own[1])
@@ -105,7 +97,7 @@ def replay(
     recording = one_recording(file, reading)
     names = trial or []
     if devtools is not None:
-        driven = _drive(devtools, url, recording, names, speed=pace, offset=shift, scale=scale)
+        driven = _drive(devtools, to, recording, names, speed=pace)
         _finish(driven, json, played=bool(driven["trials"]))
         return
     assert to is not None
@@ -139,9 +131,9 @@ def _send(to: str, recording: Recording, **options: Any) -> Replayed:
 
 
 def _drive(
-    devtools: str, url: str | None, recording: Recording, names: list[str], **options: Any
+    devtools: str, url: str | None, recording: Recording, names: list[str], *, speed: float
 ) -> dict[str, Any]:
-    """Play as the mouse of a page, with the options of ``drive_mouse``; prints and returns what was done."""
+    """Play as the mouse of a page; prints and returns what was done."""
     from pointpred.live.devtools import drive_mouse, open_page
     from pointpred.live.playback import playable_trials
 
@@ -150,7 +142,7 @@ def _drive(
     trials = []
     with open_page(devtools, url) as page:
         for one in played:
-            driven = drive_mouse(page, one.events, **options)
+            driven = drive_mouse(page, one.events, speed=speed)
             trials.append({"trial": one.name, **structs.asdict(driven)})
             remark(
                 f"{one.name}: {driven.moves} moves, {driven.presses} presses, "
@@ -191,14 +183,3 @@ def _print(played: Replayed) -> None:
     results().print(
         f"{same} of {len(played.trials)} trials as the local batch, bit for bit ({played.predictor})"
     )
-
-
-def _pair(text: str) -> tuple[float, float]:
-    x, _, y = text.partition(",")
-    try:
-        pair = float(x), float(y)
-    except ValueError:
-        pair = math.nan, math.nan
-    if not all(map(math.isfinite, pair)):
-        raise ParameterError(f"offset must be X,Y in px, received {text!r}")
-    return pair

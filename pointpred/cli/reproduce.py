@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from pointpred.cli.output_files import Force, check_free, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, check_free, check_targets, write_json
 from pointpred.console import remark, remarks, results, table
 from pointpred.errors import ParameterError
 from pointpred.extras import require
@@ -23,9 +23,11 @@ AGREES = {True: "agrees", False: "differs", None: ""}
 def reproduce(
     number: Annotated[
         str | None,
-        typer.Argument(help="Number of the figure, as 2.12 or 3.4; camera-1, camera-2, camera-table-1."),
+        typer.Argument(
+            help="Number of the figure, as 2.12 or 3.4; camera-1, camera-2, camera-table-1. Not given: all "
+            "are listed."
+        ),
     ] = None,
-    every: Annotated[bool, typer.Option("--list", help="List every figure and table.")] = False,
     out: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="SVG file to draw (thesis-2.12.svg, camera-1.svg)."),
@@ -38,9 +40,7 @@ def reproduce(
             "the folder that holds sniffer.csv (3.10, 3.11).",
         ),
     ] = None,
-    json: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the numbers as JSON; - for stdout.")
-    ] = None,
+    json: Numbers = None,
     force: Force = False,
 ) -> None:
     """Make a figure or table of the thesis or of the camera paper again, with its numbers beside the print.
@@ -51,7 +51,7 @@ def reproduce(
 
     Try:
 
-      pointpred reproduce --list
+      pointpred reproduce
 
       pointpred reproduce 2.11
 
@@ -59,13 +59,11 @@ def reproduce(
     """
     from pointpred.reproduction.catalogue import ENTRIES, entry_of, not_installed
 
-    if every:
+    if number is None:
         _print_list(list(ENTRIES.values()))
         if missing := not_installed():
             remarks().print(missing, markup=False, soft_wrap=True)
         return
-    if number is None:
-        raise ParameterError("name a figure or table, such as 2.12; --list shows all", field="number")
     entry = entry_of(number)
     if entry.make is None:
         results().print(f"{_title(entry)}. {entry.differs}", markup=False, soft_wrap=True)

@@ -22,23 +22,23 @@ from pointpred.cli.shared_options import (
     PANEL,
     ClusterAddress,
     Coefficients,
-    Processes,
     Threads,
+    complete_predictors,
     with_coefficients,
 )
 from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.recording import Recording
-from pointpred.registry import REGISTRY, build
+from pointpred.recordings.reading import Reading
 
 if TYPE_CHECKING:
-    from pointpred.recordings import Reading, StoredRecording
+    from pointpred.recordings import StoredRecording
     from pointpred.scoring import Unread
 
 WORST = 6
 """Trials with the largest errors that a report draws of each set."""
-OUTSIDE = ("checkpoints", "cluster", "processes")
+OUTSIDE = ("checkpoints", "cluster")
 """Fields of errors that no recording is to blame for."""
 
 
@@ -54,7 +54,11 @@ def score(
         ),
     ] = None,
     predictors: Annotated[
-        str, typer.Option(help="Names separated by commas, or 'all'; 'hold' is always among them.")
+        str,
+        typer.Option(
+            help="Names separated by commas, or 'all'; 'hold' is always among them.",
+            autocompletion=complete_predictors,
+        ),
     ] = "all",
     json: Numbers = None,
     report: Annotated[
@@ -68,7 +72,6 @@ def score(
         ),
     ] = False,
     threads: Threads = None,
-    processes: Processes = None,
     cluster: ClusterAddress = None,
     checkpoints: Annotated[
         Path | None,
@@ -76,14 +79,6 @@ def score(
             metavar="FOLDER",
             help="Keep the result of each chunk in this folder; the same command goes on from what is there.",
             rich_help_panel=PANEL,
-        ),
-    ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap intervals.")] = 0,
-    differentiator: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME",
-            help="The differentiator before every predictor.",
         ),
     ] = None,
     coefficients: Coefficients = None,
@@ -113,9 +108,6 @@ def score(
     names = predictor_names(predictors)
     check_targets({"--json": json, "--report": report}, files or ())
     parameters = with_coefficients(names, coefficients)
-    if differentiator is not None:
-        chosen = {"differentiator": differentiator}
-        parameters = {name: {**parameters.get(name, {}), **chosen} for name in names}
     reasons: Reasons = {}
     if report is not None:
         require("report", "a report")  # before minutes of scoring
@@ -127,10 +119,10 @@ def score(
     from pointpred.scoring.summary.document import VERSION
     from pointpred.scoring.target_choice import TargetDocument, score_targets, summarise_targets
 
-    scoring = scoring_with(names, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed, targets=targets)
+    scoring = scoring_with(names, parameters=parameters, cpi=cpi, dpi=dpi, targets=targets)
     sets, drawn, choices = [], [], []
     with (
-        open_executor(threads=threads, processes=processes, cluster=cluster) as executor,
+        open_executor(threads=threads, cluster=cluster) as executor,
         following(events=True) as progress,
     ):
         for source in _sources(files, reading, reasons, whole=targets):
@@ -143,7 +135,7 @@ def score(
                     drawn.append(scored.joined(WORST))
                 if targets and isinstance(source, Recording):
                     made = score_targets(
-                        source, names, seed=seed, threads=threads, cpi=cpi, dpi=dpi, parameters=parameters
+                        source, names, threads=threads, cpi=cpi, dpi=dpi, parameters=parameters
                     )
                     choices += [summarise_targets(kind) for kind in made]
             except Exception as error:  # whatever is wrong with one recording, the others are scored
@@ -187,6 +179,8 @@ def _unread(reasons: Reasons) -> list[Unread]:
 
 def predictor_names(text: str) -> list[str]:
     """The predictors named in ``a,b`` or ``all``; raises ParameterError for an unknown or an empty list."""
+    from pointpred.registry import REGISTRY, build
+
     if text.strip() == "all":
         return list(REGISTRY)
     names = list(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))

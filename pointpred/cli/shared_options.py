@@ -8,9 +8,22 @@ from typing import Annotated, Any
 import typer
 
 from pointpred.errors import ParameterError
-from pointpred.registry import REGISTRY, build, takes
 
 PARAMETER = "coefficients"
+
+
+def complete_predictors(incomplete: str) -> list[str]:
+    """What the shell offers for names of predictors, of which ``a,b`` may hold several."""
+    from pointpred.registry import REGISTRY, find_others
+
+    find_others()
+    begun, comma, last = incomplete.rpartition(",")
+    return [f"{begun}{comma}{name}" for name in REGISTRY if name.startswith(last)]
+
+
+PredictorName = Annotated[
+    str, typer.Option(help="A name from 'pointpred predictors'.", autocompletion=complete_predictors)
+]
 
 Coefficients = Annotated[
     Path | None,
@@ -23,15 +36,12 @@ Threads = Annotated[
     int | None,
     typer.Option(min=1, max=1024, help="Number of threads. Not given: one for each processor."),
 ]
-Processes = Annotated[
-    int | None,
-    typer.Option(min=1, max=1024, help="Number of processes instead of threads.", rich_help_panel=PANEL),
-]
 ClusterAddress = Annotated[
     str | None,
     typer.Option(
         metavar="ADDRESS",
-        help="A Dask cluster instead of threads: its scheduler's address, or local.",
+        help="A Dask cluster instead of threads: its scheduler's address, or local for processes on this "
+        "machine.",
         rich_help_panel=PANEL,
     ),
 ]
@@ -56,6 +66,8 @@ def with_coefficients(names: list[str], file: Path | None) -> dict[str, dict[str
     """
     if file is None:
         return {}
+    from pointpred.registry import REGISTRY, build, takes
+
     taking = [name for name in names if takes(name, PARAMETER)]
     if not taking:
         takers = ", ".join(name for name in REGISTRY if takes(name, PARAMETER))

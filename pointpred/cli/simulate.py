@@ -7,14 +7,14 @@ from typing import Annotated
 
 import typer
 
-from pointpred.cli.output_files import Force, Out, check_recording
+from pointpred.cli.output_files import Force, Out, Seed, check_recording
 from pointpred.console import counted, remarks
 
 
 def simulate(
     out: Out = Path("simulated_samples.parquet"),
     people: Annotated[int, typer.Option(help="How many people, from novices to experts.")] = 10,
-    seed: Annotated[int, typer.Option(help="Seed; the same seed gives the same file.")] = 0,
+    seed: Seed = 0,
     trials: Annotated[int, typer.Option(help="Movements in each circle, at most 12.")] = 12,
     force: Force = False,
 ) -> None:

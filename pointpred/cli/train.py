@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from pointpred.cli.output_files import check_targets, write_json
+from pointpred.cli.output_files import Numbers, Seed, check_targets, write_json
 from pointpred.cli.reading_options import as_given, in_memory, to_read, with_reading
-from pointpred.cli.shared_options import ClusterAddress, Processes, Threads
+from pointpred.cli.shared_options import ClusterAddress, Threads
 from pointpred.console import counted, plain, results, table
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import require
 from pointpred.predictors.kinematic import coefficient_file
+from pointpred.recordings.reading import Reading
 
 if TYPE_CHECKING:
-    from pointpred.recordings import Reading
     from pointpred.training.train import TrainingResult
 
 HEADINGS = ("recording", "movements", "hold", "shipped", "yours", "yours / shipped (95 %)")
@@ -44,17 +44,10 @@ def train(
         ),
     ],
     out: Annotated[Path, typer.Option(metavar="FILE", help="The file to write, such as me.npz.")],
-    from_scratch: Annotated[
-        bool,
-        typer.Option("--from-scratch", help="Do not start from the shipped coefficients; needs much data."),
-    ] = False,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of everything that is drawn.")] = 1,
+    seed: Seed = 1,
     threads: Threads = None,
-    processes: Processes = None,
     cluster: ClusterAddress = None,
-    json: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the scores as JSON; - for stdout.")
-    ] = None,
+    json: Numbers = None,
     *,
     reading: Reading,
 ) -> None:
@@ -84,7 +77,7 @@ def train(
     from pointpred.training.train import train_custom
 
     with (
-        open_executor(threads=threads, processes=processes, cluster=cluster) as executor,
+        open_executor(threads=threads, cluster=cluster) as executor,
         following() as advance,
     ):
         recordings = [one for one in in_memory(files, reading, {}) if one.trials]
@@ -94,7 +87,6 @@ def train(
             recordings,
             out,
             seed=seed,
-            from_scratch=from_scratch,
             progress=advance or (lambda what, done, total: None),
             executor=executor,
         )

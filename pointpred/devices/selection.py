@@ -14,28 +14,26 @@ from pointpred.devices.hidraw import HidSource, list_hid
 from pointpred.devices.lsl import LslInlet
 from pointpred.devices.screen_cursor import NAME, CursorSource, system_cursor
 from pointpred.devices.source import BROWSER, DeviceInfo, DeviceSource
-from pointpred.errors import ParameterError, SourceError
+from pointpred.errors import SourceError
 
 LINKS = (Path("/dev/input/by-id"), Path("/dev/input/by-path"))
 """Where udev keeps links to input nodes."""
+STREAM = "lsl:"
+"""Before the name of a stream of Lab Streaming Layer."""
 Warn = Callable[[str], None]
 
 
-def choose(
-    name: str | None, display: str | None = None, stream: str | None = None, warn: Warn | None = None
-) -> DeviceSource:
+def choose(name: str | None, warn: Warn | None = None) -> DeviceSource:
     """The device that a name means, or the first that moves of those that can be read; not yet open.
 
-    ``cursor`` is the screen's cursor, the only choice on systems that let no program read a mouse; ``stream``
-    is one of Lab Streaming Layer. ``warn`` is told where only some kinds of devices can be listed. Raises
-    SourceError that says what to do next, and ParameterError.
+    ``cursor`` is the screen's cursor, the only choice on systems that let no program read a mouse;
+    ``lsl:NAME`` is a stream of Lab Streaming Layer. ``warn`` is told where only some kinds of devices can be
+    listed. Raises SourceError that says what to do next.
     """
-    if stream is not None and name is not None:
-        raise ParameterError("--device reads a mouse and --lsl a stream; give one of them", field="device")
-    if stream is not None:
-        return LslInlet(stream)
+    if name is not None and name.startswith(STREAM):
+        return LslInlet(name.removeprefix(STREAM))
     if name == NAME or (name is None and sys.platform != "linux"):
-        return CursorSource(partial(system_cursor, display))
+        return CursorSource(system_cursor)
     if name is not None:
         return _source(device_path(name, [] if _is_path(name) else list_mice(warn=warn)))
     mice = list_mice(warn=warn)

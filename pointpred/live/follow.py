@@ -42,11 +42,8 @@ class DeviceOptions(msgspec.Struct, frozen=True):
     """Which device is read, and how its cursor is known; see ``pointpred live --help``."""
 
     device: str | None = None
-    stream: str | None = None
     cursor: CursorChoice = "auto"
     transfer: str | None = None
-    display: str | None = None
-    measure_cpi: bool = False
     person: Path | None = None
 
 
@@ -61,12 +58,12 @@ def follow_device(device: DeviceOptions, outputs: OutputOptions, counts_per_inch
     """Predict a device's motion until the session ends; raises SourceError and ParameterError."""
     saved = named_transfer(device.transfer) if device.transfer else None
     cpi = outputs.cpi
-    if saved is not None and cpi is None and not device.measure_cpi:
+    if saved is not None and cpi is None:
         cpi = saved.cpi
     person = read_person(device.person, outputs.predictor)
     build(outputs.predictor)  # a wrong name is an error before a device is asked for
     with ExitStack() as stack:
-        source = stack.enter_context(choose(device.device, device.display, device.stream, remark))
+        source = stack.enter_context(choose(device.device, remark))
         if isinstance(source, LslInlet):
             opened = stream_path(source, device)
         elif isinstance(source, CursorSource):
@@ -74,7 +71,7 @@ def follow_device(device: DeviceOptions, outputs: OutputOptions, counts_per_inch
         else:
             cpi = counts_per_inch(source, cpi)
             function = saved.function if saved else None
-            opened = mouse_path(device.cursor, function, cpi, outputs.dpi, device.display)
+            opened = mouse_path(device.cursor, function, cpi, outputs.dpi)
         stack.callback(opened.close)
         outputs = replace(outputs, cpi=cpi)
         pipeline = outputs.pipeline(person)
@@ -94,9 +91,7 @@ def follow_device(device: DeviceOptions, outputs: OutputOptions, counts_per_inch
 def stream_path(source: LslInlet, options: DeviceOptions) -> OpenPath:
     """The path of a stream of positions; raises ParameterError for options that need a mouse."""
     for name in _mouse_options(options, ("auto",)):
-        raise ParameterError(f"--{name} is for a mouse, and --lsl reads a stream; drop one", field=name)
-    if options.display is not None:
-        raise ParameterError("--display is for a mouse, and --lsl reads a stream; drop one", field="display")
+        raise ParameterError(f"--{name} is for a mouse, and {source.path} is a stream; drop one", field=name)
     return OpenPath(PositionPath(source.words, counts=source.counts))
 
 
@@ -114,12 +109,11 @@ def mouse_path(
     function: TransferFunction | None,
     cpi: float | None,
     dpi: float,
-    display: str | None = None,
 ) -> OpenPath:
     """Where the cursor of a mouse is; raises SourceError where the choice is not possible here."""
     if choice in ("auto", "screen"):
         try:
-            cursor = ScreenCursor(display)
+            cursor = ScreenCursor()
             return OpenPath(Pairing(cursor), cursor.close)
         except SourceError as error:
             if choice == "screen":
@@ -140,7 +134,6 @@ def _mouse_options(options: DeviceOptions, cursors: tuple[str, ...]) -> list[str
         name
         for name, wrong in (
             ("cursor", options.cursor not in cursors),
-            ("measure-cpi", options.measure_cpi),
             ("transfer", options.transfer is not None),
         )
         if wrong

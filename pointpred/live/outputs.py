@@ -31,7 +31,7 @@ NEEDS_CURSOR = "a transfer function is learnt from counts and the screen's curso
 NEEDS_COUNTS = (
     "a transfer function is learnt from counts and the screen's cursor; here only the cursor is known"
 )
-NEEDS_CPI = "the transfer function is learnt with counts per inch: give --cpi, or measure with --measure-cpi"
+NEEDS_CPI = "the transfer function is learnt with counts per inch: give --cpi, or answer its question with m"
 
 
 class RecordingFiles(SessionFiles):

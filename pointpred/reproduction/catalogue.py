@@ -156,8 +156,7 @@ def entry_of(number: str) -> Entry:
     hint = f"did you mean {' or '.join(near)}? " if near else ""
     missing = not_installed()
     raise ParameterError(
-        f"no figure or table {number!r}; {hint}'pointpred reproduce --list' lists all"
-        f"{missing and f'; {missing}'}",
+        f"no figure or table {number!r}; {hint}'pointpred reproduce' lists all{missing and f'; {missing}'}",
         field="number",
         value=number,
     )

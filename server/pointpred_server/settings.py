@@ -102,7 +102,7 @@ class Settings(BaseSettings):
         ge=1,
         le=100_000,
         description="Most sessions of one other machine; of IPv6, of one /64 network. "
-        "Not given: half of --max-sessions. Those of this machine have no share of their own.",
+        "Not given: half of POINTPRED_MAX_SESSIONS. Those of this machine have no share of their own.",
     )
     max_events_per_s: int = Field(
         default=20_000, ge=1, le=10**8, description="Most events a second in one session."

@@ -40,7 +40,7 @@ CONSTANTS = {
     "answers that wait unread, predictions aside": outbox.Outbox().most_notes,
     "choices that wait unread": outbox.MOST_CHOICES,
     "header of a request": listening.HEADER_BYTES >> 10,
-    "connections beside those of `--max-sessions`": listening.REQUESTS_MOST,
+    "connections beside those of `POINTPRED_MAX_SESSIONS`": listening.REQUESTS_MOST,
 }
 """Limits of the service that are no settings, by their rows in its guide."""
 
@@ -117,7 +117,7 @@ def test_every_test_that_shows_a_defence_exists() -> None:
 def test_limits_of_requests_are_those_of_the_code() -> None:
     text = (ROOT / "SECURITY.md").read_text(encoding="utf-8")
     assert f"at most {access.MOST_ORIGINS} of them" in text
-    assert f"{listening.REQUESTS_MOST} connections more than `--max-sessions`" in text
+    assert f"{listening.REQUESTS_MOST} connections more than `POINTPRED_MAX_SESSIONS`" in text
 
 
 def anchors(page: Path) -> set[str]:
@@ -183,10 +183,10 @@ def test_every_correction_names_a_test_that_exists() -> None:
 def test_the_limits_of_the_service_are_those_of_the_code() -> None:
     page = (ROOT / "docs/guide/service.md").read_text(encoding="utf-8")
     section = page.partition("\n## Limits\n")[2].partition("\n## ")[0]
-    rows = re.findall(r"^\| ([^|]+) \| ([\d,]+)[^|]*\| (?:`--([a-z-]+)`)?[^|]*\|", section, re.MULTILINE)
-    options = {
-        option.replace("-", "_"): float(number.replace(",", "")) for _, number, option in rows if option
-    }
+    rows = re.findall(
+        r"^\| ([^|]+) \| ([\d,]+)[^|]*\| (?:`POINTPRED_([A-Z_]+)`)?[^|]*\|", section, re.MULTILINE
+    )
+    options = {option.lower(): float(number.replace(",", "")) for _, number, option in rows if option}
     set_by_option = [name for name in Limits.__struct_fields__ if name in Settings.model_fields]
     assert options == {name: getattr(Settings(), name) for name in set_by_option}
     constants = {name: float(number.replace(",", "")) for name, number, option in rows if not option}

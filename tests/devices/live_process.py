@@ -32,15 +32,21 @@ def environment(testbed: Testbed) -> dict[str, str]:
 
 @contextmanager
 def started(
-    testbed: Testbed, errors: Path, *arguments: str, out: int | IO[str] = subprocess.PIPE
+    testbed: Testbed,
+    errors: Path,
+    *arguments: str,
+    out: int | IO[str] = subprocess.PIPE,
+    stdin: int = subprocess.DEVNULL,
+    display: str | None = None,
 ) -> Iterator[subprocess.Popen[str]]:
     """A process that reads the mouse; what it says on stderr goes to a file."""
+    screen = {} if display is None else {"DISPLAY": display}
     command = [sys.executable, "-m", "pointpred", "live", *arguments]
     with errors.open("w") as said:
         process = subprocess.Popen(
             command,
-            env=environment(testbed),
-            stdin=subprocess.DEVNULL,
+            env=environment(testbed) | screen,
+            stdin=stdin,
             stdout=out,
             stderr=said,
             text=True,

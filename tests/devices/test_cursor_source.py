@@ -210,7 +210,7 @@ def test_without_a_device_windows_and_macos_follow_the_cursor(
     assert cursor_info().openable
 
 
-@pytest.mark.parametrize("option", [("--measure-cpi",), ("--cursor", "motor"), ("--transfer", "constant:4")])
+@pytest.mark.parametrize("option", [("--cursor", "motor"), ("--transfer", "constant:4")])
 def test_what_needs_counts_is_refused_for_a_cursor(windows: User32, command: Any, option: Any) -> None:
     left = command("live", *option)
     assert left.code == 2

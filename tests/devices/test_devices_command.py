@@ -26,7 +26,7 @@ import contextlib, io, os
 from pointpred.cli import main
 
 with contextlib.suppress(SystemExit), contextlib.redirect_stdout(io.StringIO()):
-    main(["devices", "watch", "--for", "0.01"])  # as root: imports what a stranger may not read here
+    main(["devices", "watch", "--seconds", "0.01"])  # as root: imports what a stranger may not read here
 os.setgroups([])
 os.setgid({NOBODY})
 os.setuid({NOBODY})
@@ -105,7 +105,7 @@ def test_watching_counts_until_it_is_interrupted(testbed: Testbed) -> None:
 def test_watching_for_a_while(testbed: Testbed) -> None:
     plug(testbed, WHEEL)
     started = time.monotonic()
-    out, _ = start(testbed, "watch", "--for", "0.3").communicate(timeout=60)
+    out, _ = start(testbed, "watch", "--seconds", "0.3").communicate(timeout=60)
     assert time.monotonic() - started > 0.3
     assert "/dev/hidraw0 sent nothing: move the mouse" in out
 
@@ -114,7 +114,7 @@ def test_watching_in_a_terminal_draws_a_table(testbed: Testbed) -> None:
     mouse = plug(testbed, WHEEL)
     ours, theirs = pty.openpty()
     process = subprocess.Popen(
-        [*MODULE, "watch", "--for", "60"],  # it is ended before, once it has drawn what was sent
+        [*MODULE, "watch", "--seconds", "60"],  # it is ended before, once it has drawn what was sent
         env={**testbed.environment(), "TERM": "xterm"},
         stdout=theirs,
         stderr=subprocess.PIPE,

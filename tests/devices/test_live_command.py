@@ -165,7 +165,7 @@ def test_a_saved_function_brings_the_resolution_it_was_learnt_with(
         def __exit__(self, *about: object) -> None:
             """Nothing is open."""
 
-    def resolution(source: object, cpi: float | None, *about: object) -> float | None:
+    def resolution(source: object, cpi: float | None) -> float | None:
         asked.append(cpi)
         raise KeyboardInterrupt
 

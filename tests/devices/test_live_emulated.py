@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import pty
 import signal
 import time
 from pathlib import Path
@@ -87,14 +89,20 @@ def test_a_killed_process_loses_little(testbed: Testbed, mouse: Plugged, tmp_pat
 
 
 def test_the_resolution_is_measured_from_one_move(testbed: Testbed, mouse: Plugged, tmp_path: Path) -> None:
+    """Asked for in a terminal, where m is the answer that measures."""
     errors = tmp_path / "errors"
-    with started(testbed, errors, "--measure-cpi", "--seconds", "0.5") as process:
+    ours, theirs = pty.openpty()
+    os.write(ours, b"m\n")
+    with started(testbed, errors, "--seconds", "0.5", out=theirs, stdin=theirs) as process:
         until_said(errors, "Put the mouse against a ruler", process)
         send(mouse, [Report(0.0, 15.0, 0.0)] * 420)  # at once: a hand held up for a second has ended its move
-        process.communicate(timeout=PATIENCE_S)
+        process.wait(timeout=PATIENCE_S)
+    os.close(theirs)
+    shown = os.read(ours, 1 << 16).decode()
+    os.close(ours)
     assert process.returncode == 0
     assert "6300 counts over 10 cm: 1600 CPI" in errors.read_text()
-    assert "1600 counts per inch" in errors.read_text()
+    assert "1600 counts per inch" in shown
 
 
 def test_an_unplugged_mouse_is_waited_for_and_read_on(

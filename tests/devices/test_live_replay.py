@@ -177,7 +177,6 @@ def test_some_trials_are_played_in_the_order_asked_for(command: Callable[..., An
     [
         (["--replay", "nosuch.csv"], 2, "nosuch.csv"),
         (["--replay", "FILE", "--device", "/dev/hidraw0"], 2, "--device"),
-        (["--replay", "FILE", "--measure-cpi"], 2, "--measure-cpi"),
         (["--replay", "FILE", "--cursor", "motor"], 2, "--cursor"),
         (["--replay", "FILE", "--trial", "nobody"], 2, "nobody"),
         (["--replay", "FILE", "--speed", "0"], 2, "speed"),

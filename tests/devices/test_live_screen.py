@@ -57,9 +57,9 @@ def test_what_the_screen_teaches_is_saved_and_moves_a_cursor_without_one(
     node, errors = plug(testbed, 3, PLAIN), tmp_path / "errors"
     saved, session = tmp_path / "desk.json", tmp_path / "session.csv"
     device = ("--device", node, "--cpi", str(CPI))
-    words = (*device, "--display", screen.name, "--save-transfer", str(saved), "--record", str(session))
+    words = (*device, "--save-transfer", str(saved), "--record", str(session))
     screen.place(*START)
-    with started(testbed, errors, *words) as process:
+    with started(testbed, errors, *words, display=screen.name) as process:
         until_said(errors, READING, process)
         assert "the screen's cursor, paired with the counts by time" in errors.read_text()
         drag(testbed, node, screen, WAYS)
@@ -92,9 +92,9 @@ def test_a_screen_that_goes_ends_the_session_and_keeps_what_there_was(
     testbed: Testbed, screen: Screen, tmp_path: Path
 ) -> None:
     node, errors, session = plug(testbed, 3, PLAIN), tmp_path / "errors", tmp_path / "session.csv"
-    words = ("--device", node, "--cpi", "2000", "--display", screen.name, "--record", str(session))
+    words = ("--device", node, "--cpi", "2000", "--record", str(session))
     screen.place(*START)
-    with started(testbed, errors, *words) as process:
+    with started(testbed, errors, *words, display=screen.name) as process:
         until_said(errors, READING, process)
         drag(testbed, node, screen, WAYS[-1:])
         screen.stop()

@@ -177,10 +177,10 @@ def test_a_silent_stream_is_named_without_advice_on_mice() -> None:
 
 
 @pytest.mark.parametrize(
-    "options", [["--device", "event1"], ["--replay", "sample"], ["--measure-cpi"], ["--cursor", "motor"]]
+    "options", [["--replay", "sample"], ["--transfer", "constant:4"], ["--cursor", "motor"]]
 )
 def test_options_of_a_mouse_are_refused_beside_a_stream(options: list[str], monkeypatch: Any) -> None:
     monkeypatch.setattr(LslInlet, "__enter__", lambda self: self)
-    ended = CliRunner().invoke(app, ["live", "--lsl", "any", *options])
+    ended = CliRunner().invoke(app, ["live", "--device", "lsl:any", *options])
     assert isinstance(ended.exception, ParameterError)
-    assert "--lsl" in str(ended.exception)
+    assert options[0] in str(ended.exception)

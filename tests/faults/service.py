@@ -82,8 +82,7 @@ def service(
     ``wrapper`` is a command that runs it; ``inside`` the folder, where that is not in ``tmp_path``.
     """
     folder, log = inside or tmp_path / "kept", tmp_path / "log"
-    command = [*wrapper, sys.executable, "-m", "pointpred", "serve", "--port", "0", "--log-format", "json"]
-    command += ["--metrics-port", "0"]
+    command = [*wrapper, sys.executable, "-m", "pointpred", "serve", "--port", "0", "--metrics-port", "0"]
     with log.open("w") as errors:
         process = subprocess.Popen(
             [*command, "--record", str(folder), *options],

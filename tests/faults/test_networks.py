@@ -48,9 +48,12 @@ def connect(running: Running) -> None:
 
 @pytest.mark.slow
 def test_a_client_whose_network_is_cut_is_ended(own_network: list[str], tmp_path: Path) -> None:
-    options = ("--host", "0.0.0.0", "--allow-host", THERE, "--token", TOKEN, "--idle-s", f"{IDLE_S}")
+    options = ("--host", "0.0.0.0", "--allow-host", THERE, "--token", TOKEN)
+    environment = {**os.environ, "POINTPRED_IDLE_S": f"{IDLE_S}"}
     with ExitStack() as opened:
-        running = opened.enter_context(service(tmp_path, *options, wrapper=own_network))
+        running = opened.enter_context(
+            service(tmp_path, *options, wrapper=own_network, environment=environment)
+        )
         connect(running)
         opened.callback(subprocess.run, ["ip", "link", "delete", CABLE], check=False, capture_output=True)
         running.address = running.address.replace("127.0.0.1", THERE)

@@ -70,7 +70,9 @@ def still(process_id: int, seconds: float) -> None:
 @pytest.mark.slow
 def test_a_service_that_stood_still_ends_no_session_but_silent_ones(tmp_path: Path) -> None:
     with ExitStack() as opened:
-        running = opened.enter_context(service(tmp_path, "--idle-s", f"{IDLE_S}"))
+        running = opened.enter_context(
+            service(tmp_path, environment={**os.environ, "POINTPRED_IDLE_S": f"{IDLE_S}"})
+        )
         one, other, silent = (opened.enter_context(Client(running.url)) for _ in range(3))
         for client in (one, other, silent):
             client.exchange(50)
@@ -95,7 +97,9 @@ def newest_time(answer: bytes) -> float:
 def test_what_was_sent_meanwhile_is_answered(tmp_path: Path, seconds: float) -> None:
     """Longer than the service waits for the answer to a ping, and for a client that does not read."""
     with ExitStack() as opened:
-        running = opened.enter_context(service(tmp_path, "--idle-s", "10"))
+        running = opened.enter_context(
+            service(tmp_path, environment={**os.environ, "POINTPRED_IDLE_S": "10"})
+        )
         client = opened.enter_context(Client(running.url, reply="frame"))
         client.exchange(50)
         running.process.send_signal(signal.SIGSTOP)

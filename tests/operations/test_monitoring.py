@@ -63,7 +63,8 @@ def use(service: Served) -> None:
 
 def test_a_service_shows_the_listed_metrics_and_log_fields(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("POINTPRED_TOKEN", TOKEN)
-    with served("--metrics-port", str(port := free_port()), "--max-sessions", "7") as service:
+    monkeypatch.setenv("POINTPRED_MAX_SESSIONS", "7")
+    with served("--metrics-port", str(port := free_port())) as service:
         use(service)
 
         def shown() -> list[Metric]:

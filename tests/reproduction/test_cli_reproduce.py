@@ -25,7 +25,7 @@ def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_list_has_every_number_and_what_it_may_read(command: Callable) -> None:
-    left = command("reproduce", "--list")
+    left = command("reproduce")
     assert left.code == 0
     lines = {line.split()[0]: line for line in left.out.splitlines()[1:]}
     assert set(ENTRIES) <= set(lines)
@@ -61,7 +61,6 @@ def test_a_diagram_says_which_part_of_the_library_it_is(command: Callable, tmp_p
     ("arguments", "words"),
     [
         (("3.44",), "did you mean"),
-        ((), "--list"),
         (("2.11", "--recordings", "x.csv"), "leave --recordings out"),
         (("2.2", "--recordings", "missing.csv"), "missing.csv"),
         (("2.11", "--out", "figure.png"), ".svg"),
@@ -95,7 +94,7 @@ def test_the_list_and_the_diagrams_need_no_extra() -> None:
     code = (
         f"import sys; sys.modules.update(dict.fromkeys({names!r}))\n"
         "from pointpred.cli import main\n"
-        "main(['reproduce', '--list'])"
+        "main(['reproduce'])"
     )
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stderr
@@ -109,7 +108,7 @@ def test_without_the_observers_the_figures_that_need_them_are_named(
     monkeypatch.setattr(catalogue, "ENTRIES", {entry.number: entry for entry in catalogue.LISTED})
     said = "figures of chapters 3 and 4 and of the camera paper need pointpred-observers: "
     wanted = f"{said}{extras.install_command(of='pointpred-observers')}"
-    listed = command("reproduce", "--list")
+    listed = command("reproduce")
     assert listed.code == 0
     assert wanted in listed.err
     left = command("reproduce", "3.4")
@@ -135,5 +134,5 @@ def test_a_number_that_is_none_gets_one_sentence(command: Callable, number: str,
     left = command("reproduce", number)
     assert left.code == 2
     assert f"no figure or table {number!r}; {hint}" in left.err
-    assert left.err.endswith("'pointpred reproduce --list' lists all\n")
+    assert left.err.endswith("'pointpred reproduce' lists all\n")
     assert hint or "; 'pointpred" in left.err

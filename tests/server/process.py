@@ -29,7 +29,7 @@ class Served:
 @contextmanager
 def served(*arguments: str, files: int | None = None) -> Iterator[Served]:
     """Serve until the block ends; ``files``: how many descriptors the process may have."""
-    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", "--log-format", "json", *arguments]
+    command = [sys.executable, "-m", "pointpred", "serve", "--port", "0", *arguments]
     limit = None if files is None else partial(resource.setrlimit, resource.RLIMIT_NOFILE, (files, files))
     with subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=limit

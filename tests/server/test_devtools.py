@@ -86,8 +86,8 @@ def test_no_button_stays_down(page: Page) -> None:
 def test_the_command_drives_a_page(devtools: str, command: Callable[..., Any], tmp_path: Path) -> None:
     with Listener() as listener:
         left = command(
-            "replay", "--devtools", devtools, "--url", f"{listener.url}/here", "--trial", "p01-0",
-            "--speed", "max", "--scale", "0.5", "--json", tmp_path / "done.json",
+            "replay", "--devtools", devtools, "--to", f"{listener.url}/here", "--trial", "p01-0",
+            "--speed", "max", "--json", tmp_path / "done.json",
         )  # fmt: skip
         assert left.code == 0, left.err
         assert "/here" in listener.requests

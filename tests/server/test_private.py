@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import signal
 import socket as socket_module
@@ -84,8 +85,11 @@ RAW = (
 def process(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[tuple[subprocess.Popen[str], str]]:
     """A service that records, asks for a token and is reached through no test's hands, and its address."""
     arguments = ["serve", "--port", "0", "--token", TOKEN, "--record", str(tmp_path / "kept")]
-    command = [sys.executable, "-c", FAILING, *arguments, "--log-format", request.param]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+    command = [sys.executable, "-c", FAILING, *arguments]
+    environment = {**os.environ, "POINTPRED_LOG_FORMAT": request.param}
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+    ) as running:
         assert running.stdout is not None
         address = running.stdout.readline().strip()
         try:

@@ -196,7 +196,7 @@ def test_the_table_says_how_many_agree(listener: Listener, command: Callable[...
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ([], "--to URL of a service or --devtools URL of a browser"),
+        ([], "--to URL of a service, or --devtools URL of a browser"),
         (
             ["--to", "ws://127.0.0.1:1", "--speed", "0"],
             "speed must be a positive number or 'max', received '0'",
@@ -207,7 +207,6 @@ def test_the_table_says_how_many_agree(listener: Listener, command: Callable[...
         ),
         (["--to", "ws://127.0.0.1:1", "--predictor", "x"], "unknown predictor 'x'"),
         (["--devtools", "127.0.0.1:9222"], "DevTools are at http://HOST:PORT"),
-        (["--devtools", "http://127.0.0.1:9222", "--offset", "3"], "offset must be X,Y in px, received '3'"),
     ],
 )
 def test_wrong_use_is_named(command: Callable[..., Any], options: list[str], said: str) -> None:

@@ -100,10 +100,14 @@ def test_a_variable_that_nobody_reads_is_refused_with_the_nearest_name(
 
 
 def test_a_wrong_setting_is_one_line_that_names_flag_and_variable() -> None:
-    wrong = serve(POINTPRED_MAX_SESSIONS="many")
-    assert wrong.returncode == 2
-    assert "--max-sessions or POINTPRED_MAX_SESSIONS" in wrong.stderr
-    assert "Traceback" not in wrong.stderr
+    for variable, named in (
+        ("MAX_SESSIONS", "(POINTPRED_MAX_SESSIONS)"),
+        ("METRICS_PORT", "--metrics-port or POINTPRED_METRICS_PORT"),
+    ):
+        wrong = serve(**{f"POINTPRED_{variable}": "many"})
+        assert wrong.returncode == 2
+        assert named in wrong.stderr
+        assert "Traceback" not in wrong.stderr
 
 
 def test_a_token_is_never_repeated_in_a_refusal() -> None:

@@ -46,8 +46,9 @@ def seen(*more: str) -> tuple[str, str]:
         os.close(here)
 
 
-def test_in_a_terminal_the_settings_come_first_and_the_address_last() -> None:
-    out, shown = seen("--max-sessions", "3")
+def test_in_a_terminal_the_settings_come_first_and_the_address_last(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("POINTPRED_MAX_SESSIONS", "3")
+    out, shown = seen()
     assert re.fullmatch(ADDRESS + r"\n", out)
     assert [line.strip() for line in shown.splitlines()] == [
         "Settings: port 0, max_sessions 3; everything else default",

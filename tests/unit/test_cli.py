@@ -8,7 +8,6 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -16,9 +15,10 @@ import typer
 from typer.main import get_command
 
 import pointpred
+from evidence.reference.pages import walked
 from pointpred import __version__
 from pointpred.cli import predictors as predictors_module
-from pointpred.cli.app import app
+from pointpred.cli.app import SUMMARIES, app
 from pointpred.cli.help_text import add_help
 from pointpred.registry import REGISTRY, parameters
 
@@ -38,16 +38,18 @@ def test_help_teaches_by_example(command, words: tuple[str, ...]) -> None:
     assert any(line.strip().startswith(f"pointpred {' '.join(words)}") for line in examples)
 
 
-def walked(command: Any, words: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:
-    """Every command that does something, with the words that call it."""
-    if not hasattr(command, "commands"):
-        yield words, command
-        return
-    for name, one in command.commands.items():
-        yield from walked(one, (*words, name))
+EVERY = {tuple(words.split()[1:]): one for words, one in walked(get_command(app), "pointpred")}
 
 
-EVERY = dict(walked(get_command(app)))
+def test_there_are_no_more_options_than_somebody_can_look_through() -> None:
+    named = {word for one in EVERY.values() for each in one.params for word in each.opts if word[:2] == "--"}
+    assert len(named) <= 70
+
+
+@pytest.mark.parametrize("name", SUMMARIES)
+def test_the_list_of_commands_says_what_each_says_of_itself(name: str) -> None:
+    listed = vars(get_command(app))["commands"][name]
+    assert (listed.loaded().help or "").split("\n\n")[0] == listed.help == SUMMARIES[name]
 
 
 @pytest.mark.parametrize("columns", ["60", "80", "100"])
@@ -121,10 +123,27 @@ def test_a_host_that_can_be_none_is_told_in_words(command) -> None:
     assert "'a..b'" in left.err
 
 
-def test_no_arguments_show_the_help(command) -> None:
+def test_without_a_command_it_says_what_to_do_first(command) -> None:
     left = command()
-    assert "score" in left.out + left.err
-    assert left.code == 2
+    assert (left.code, left.err) == (2, "")
+    assert "  pointpred score " in left.out
+    assert "pointpred --help" in left.out
+
+
+def test_the_shell_completes_commands_options_and_names(monkeypatch: pytest.MonkeyPatch) -> None:
+    for typed, wanted in (
+        ("pointpred sco", {"score"}),
+        ("pointpred devices w", {"watch"}),
+        ("pointpred score --predic", {"--predictors"}),
+        ("pointpred predictors kinematic-a", {"kinematic-adaptive"}),
+        ("pointpred score --predictors hold,min", {"hold,minimum-jerk"}),
+        ("pointpred datasets fetch gofitts", {"gofitts_demo"}),
+    ):
+        words = {"COMP_WORDS": typed, "COMP_CWORD": str(len(typed.split()) - 1)}
+        asked = {**os.environ, **words, "_POINTPRED_COMPLETE": "complete_bash"}
+        command = [sys.executable, "-m", "pointpred"]
+        done = subprocess.run(command, env=asked, capture_output=True, text=True, check=True)
+        assert set(done.stdout.split()) == wanted
 
 
 def test_the_traceback_is_there_for_who_asks(command, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -216,6 +235,17 @@ def test_nothing_heavy_is_imported_without_need(arguments: list[str], allowed: t
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     found = run.stderr.rpartition("HEAVY ")[2]
     assert found == str([name for name in HEAVY if name in allowed])
+
+
+def test_the_list_of_commands_loads_no_command_and_no_arrays() -> None:
+    code = (
+        "import sys\nfrom pointpred.cli import main\n"
+        "try: main(['--help'])\nexcept SystemExit: pass\n"
+        "loaded = {'numpy', 'pydantic', 'pointpred.registry', 'pointpred.cli.score'} & set(sys.modules)\n"
+        "sys.stderr.write(f'{loaded}')"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stderr == "set()"
 
 
 def test_the_package_loads_nothing_before_the_command_can_catch_an_interrupt() -> None:

@@ -132,11 +132,6 @@ def test_simulate_refuses_an_unknown_ending_before_it_works(command, tmp_path: P
     assert "cannot write .txt, expected .parquet or .csv" in left.err
 
 
-def test_nothing_is_said_below_the_help(command) -> None:
-    left = command()
-    assert (left.code, left.err) == (2, "")
-
-
 def test_everything_in_a_folder_is_accounted_for(
     command, good: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

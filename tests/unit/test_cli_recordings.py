@@ -71,12 +71,12 @@ def test_a_recording_that_cannot_be_read_is_listed_and_can_be_deleted(command, k
     left = command("recordings", "list", "--folder", kept)
     assert left.code == 0
     assert "so this is no text" in " ".join(left.out.split())
-    assert command("recordings", "delete", name, "--yes", "--folder", kept).code == 0
+    assert command("recordings", "delete", name, "--force", "--folder", kept).code == 0
     assert len(names(kept)) == 1
 
 
 def test_one_command_deletes_everything_of_the_recorder_and_nothing_else(command, kept: Path) -> None:
-    left = command("recordings", "delete", "--all", "--yes", "--folder", kept)
+    left = command("recordings", "delete", "--all", "--force", "--folder", kept)
     assert left.code == 0
     assert "deleted 2 recordings" in left.err
     assert sorted(path.name for path in kept.iterdir()) == [
@@ -105,7 +105,7 @@ def test_it_asks_before_it_deletes(
 @pytest.mark.parametrize("name", ["nobody", "../kept/diary.txt", "diary.txt", "20260102T030405Z-folder", "*"])
 def test_an_unknown_name_deletes_nothing(command, kept: Path, name: str) -> None:
     before = sorted(kept.iterdir())
-    left = command("recordings", "delete", names(kept)[0], name, "--yes", "--folder", kept)
+    left = command("recordings", "delete", names(kept)[0], name, "--force", "--folder", kept)
     assert left.code == 2
     assert f"no recording {name!r}" in left.err
     assert sorted(kept.iterdir()) == before
@@ -115,8 +115,8 @@ def test_an_unknown_name_deletes_nothing(command, kept: Path, name: str) -> None
     ("arguments", "said"),
     [
         (["list"], "--folder"),
-        (["delete", "--yes", "--folder", "."], "--all"),
-        (["delete", "a", "--all", "--yes", "--folder", "."], "not both"),
+        (["delete", "--force", "--folder", "."], "--all"),
+        (["delete", "a", "--all", "--force", "--folder", "."], "not both"),
     ],
 )
 def test_wrong_use(command, monkeypatch: pytest.MonkeyPatch, arguments: list[str], said: str) -> None:

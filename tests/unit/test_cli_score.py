@@ -50,21 +50,6 @@ def test_json_is_the_published_document(command, good: Path) -> None:
     assert hold["us_per_event"] > 0.0
 
 
-def test_a_differentiator_is_chosen_for_every_predictor(command, tmp_path: Path) -> None:
-    reach = building.reach((0.0, 0.0), (400.0, 0.0), rest_s=0.2)
-    good = write(building.recording([reach], "reach"), tmp_path / "reach_samples.csv")[0]
-    errors = []
-    for more in ((), ("--differentiator", "kalman")):
-        left = command("score", good, "--predictors", "minimum-jerk", "--json", "-", *more)
-        assert left.code == 0
-        by_name = {one["name"]: one for one in json.loads(left.out)["sets"][0]["predictors"]}
-        errors.append(by_name["minimum-jerk"]["time_averaged"]["px"])
-    assert errors[0] != errors[1]
-    left = command("score", good, "--differentiator", "euler")
-    assert left.code != 0
-    assert "unknown differentiator 'euler'" in left.err
-
-
 def test_table_has_hold_whoever_was_asked_for_and_counts_what_it_skips(command, good: Path) -> None:
     left = command("score", good, "--predictors", "hold")
     assert left.code == 0

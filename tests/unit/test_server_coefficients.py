@@ -100,7 +100,7 @@ def test_settings_read_the_files_at_once(tmp_path: Path, monkeypatch: pytest.Mon
     for unreadable in ("me", f"me={path},me={path}", '{"me":', f"me={tmp_path / 'missing.npz'}"):
         monkeypatch.setenv("POINTPRED_COEFFICIENTS", unreadable)
         with pytest.raises(ParameterError, match="POINTPRED_COEFFICIENTS"):
-            settings_of({})
+            settings_of()
     monkeypatch.delenv("POINTPRED_COEFFICIENTS")
     (tmp_path / "text.npz").write_text("none")
     shutil.copy(path, tmp_path / "odd name.npz")
@@ -111,7 +111,7 @@ def test_settings_read_the_files_at_once(tmp_path: Path, monkeypatch: pytest.Mon
         {"": path},
     ):
         with pytest.raises(ParameterError, match="coefficients"):
-            settings_of({"coefficients": wrong})
+            settings_of(coefficients=wrong)
 
 
 def test_the_flag_names_files(tmp_path: Path) -> None:
@@ -120,4 +120,4 @@ def test_the_flag_names_files(tmp_path: Path) -> None:
         with pytest.raises(ValueError, match="NAME=FILE"):
             named_files(wrong)
         with pytest.raises(ParameterError, match="NAME=FILE"):
-            settings_of({"coefficients": wrong})
+            settings_of(coefficients=wrong)

@@ -7,17 +7,24 @@ from typing import Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import check_free, check_target, check_targets, write_json
+from pointpred.cli.output_files import (
+    Force,
+    Numbers,
+    Seed,
+    check_free,
+    check_target,
+    check_targets,
+    write_json,
+)
 from pointpred.cli.reading_options import check_exists
 from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
 
-app = typer.Typer(
-    no_args_is_help=True, help="Depth and velocity of a camera from one tracked point and an inertial sensor."
-)
+app = typer.Typer(no_args_is_help=True)
 Focal = Annotated[float, typer.Option(metavar="PX", help="Focal length in px; there is no default.")]
 Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point: uniform in +- this many px.")]
 FED = "kalman-two-state"
+"""How the velocity in the image is computed here."""
 SMALLEST_PX = 0.05
 """The least noise the filter assumes: with none it would rely on its first image alone."""
 
@@ -26,15 +33,13 @@ SMALLEST_PX = 0.05
 def simulate(
     focal_px: Focal,
     scenario: Annotated[
-        str, typer.Option(help="paper, approaching, axial, rotating or stationary.")
+        str, typer.Argument(help="paper, approaching, axial, rotating or stationary.")
     ] = "paper",
     out: Annotated[Path, typer.Option(metavar="FILE", help="CSV file to write.")] = Path("camera.csv"),
     seconds: Annotated[float, typer.Option(help="Length, s.")] = 10.0,
-    noise_px: Seen = 2.0,
-    dropped: Annotated[float, typer.Option(help="Share of the images that are missing.")] = 0.0,
-    readings: Annotated[int, typer.Option(help="Readings of the inertial sensor per image.")] = 1,
-    seed: Annotated[int, typer.Option(help="Seed; the same seed gives the same file.")] = 0,
-    force: Annotated[bool, typer.Option("--force", help="Replace files that exist.")] = False,
+    noise: Seen = 2.0,
+    seed: Seed = 0,
+    force: Force = False,
 ) -> None:
     """Write simulated data of a moving camera, and the true values to a second file (_truth).
 
@@ -45,6 +50,8 @@ def simulate(
 
       pointpred camera simulate --focal-px 800
 
+      pointpred camera simulate rotating --focal-px 800 --out rotating.csv
+
       pointpred camera run camera.csv --focal-px 800 --truth camera_truth.csv --plot camera.svg
     """
     from pointpred_observers.camera import SCENARIOS, CameraColumns, Noise
@@ -52,7 +59,7 @@ def simulate(
     from pointpred_observers.cli.camera_files import TRUTH, truth_table, write_table
 
     if scenario not in SCENARIOS:
-        raise ParameterError(f"--scenario must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
+        raise ParameterError(f"SCENARIO must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
     check_target(out)  # first: a folder has no name to make another of
     targets = (out, out.with_name(f"{out.stem}_truth{out.suffix}"))
     check_target(targets[1])
@@ -62,8 +69,7 @@ def simulate(
         SCENARIOS[scenario],
         focal_px=focal_px,
         duration_s=seconds,
-        readings=readings,
-        noise=Noise(noise_px=noise_px, dropped=dropped),
+        noise=Noise(noise_px=noise),
         seed=seed,
     )
     write_table(out, CameraColumns.names, samples.table)
@@ -79,12 +85,13 @@ def run(
         Path, typer.Argument(callback=check_exists, dir_okay=False, help="CSV of camera samples.")
     ],
     focal_px: Focal,
-    start_depth: Annotated[float, typer.Option(metavar="M", help="Depth the observer starts with.")] = 1.0,
-    start_vz: Annotated[
-        float, typer.Option(metavar="M/S", help="Forward velocity the observer starts with.")
-    ] = 0.0,
-    noise_px: Seen = 2.0,
-    way: Annotated[str, typer.Option(help="Method for the image velocity; a wrong name lists all.")] = FED,
+    start: Annotated[
+        str,
+        typer.Option(
+            metavar="M[,M/S]", help="What the observer starts with: the depth, and the velocity forwards."
+        ),
+    ] = "1,0",
+    noise: Seen = 2.0,
     images: Annotated[
         Path | None,
         typer.Option(
@@ -100,7 +107,7 @@ def run(
         typer.Option(metavar="FILE", callback=check_exists, dir_okay=False, help="CSV with the true values."),
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
-    json: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JSON; - for stdout.")] = None,
+    json: Numbers = None,
 ) -> None:
     """Estimate depth and velocity: the unknown input observer, and a Kalman filter that uses the image.
 
@@ -110,7 +117,7 @@ def run(
 
     Try:
 
-      pointpred camera run camera.csv --focal-px 800 --start-depth 1 --start-vz -0.3
+      pointpred camera run camera.csv --focal-px 800 --start 1,-0.3
 
       pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
     """
@@ -121,7 +128,7 @@ def run(
     columns = read_samples(samples)
     if images is not None:
         columns = _followed(columns, images, point, every)
-    estimates = _pipeline(focal_px, start_depth, start_vz, noise_px, way).run(columns)
+    estimates = _pipeline(focal_px, start, noise).run(columns)
     truths = None if truth is None else read_truth(truth)
     errors = None if truths is None else errors_of(estimates, truths)
     if plot is not None:
@@ -139,22 +146,31 @@ def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
     from pointpred_observers.camera.tracker import PointTracker, tracked
     from pointpred_observers.cli.camera_files import read_images
 
-    try:
-        x, y = (float(part) for part in point.split(","))
-    except ValueError as unusable:
-        raise ParameterError(f"--point needs X,Y in px, received {point!r}") from unusable
+    x, y = _pair("--point", "X,Y in px", point)
     if every < 1:
         raise ParameterError(f"--every must be at least 1, received {every}")
     return tracked(PointTracker(x=x, y=y), read_images(folder), columns, every)
 
 
-def _pipeline(focal_px: float, depth: float, vz: float, noise_px: float, way: str) -> Any:
+def _pair(option: str, what: str, text: str) -> tuple[float, float]:
+    try:
+        first, second = (float(part) for part in text.split(","))
+    except ValueError as unusable:
+        raise ParameterError(f"{option} needs {what}, received {text!r}") from unusable
+    return first, second
+
+
+def _pipeline(focal_px: float, start: str, noise: float) -> Any:
     from pointpred_observers.camera import CameraPipeline, DepthObserver, PointFilter
 
+    whole = start if "," in start else f"{start},0"
+    depth, vz = _pair("--start", "a depth in m, or DEPTH,VELOCITY in m and m/s", whole)
     if not depth > 0.0:
-        raise ParameterError(f"--start-depth must be positive, received {depth:g}")
-    if not noise_px >= 0.0:
-        raise ParameterError(f"--noise-px must not be negative, received {noise_px:g}")
-    noise = max(noise_px / 3.0**0.5, SMALLEST_PX)
+        raise ParameterError(f"--start: the depth must be positive, received {depth:g}")
+    if not noise >= 0.0:
+        raise ParameterError(f"--noise must not be negative, received {noise:g}")
+    deviation = max(noise / 3.0**0.5, SMALLEST_PX)
     observer = DepthObserver(focal_px=focal_px, start_chi=1.0 / depth, start_eta=vz / depth)
-    return CameraPipeline(observer, PointFilter(focal_px=focal_px, noise_px=noise), way=way, noise_px=noise)
+    return CameraPipeline(
+        observer, PointFilter(focal_px=focal_px, noise_px=deviation), way=FED, noise_px=deviation
+    )

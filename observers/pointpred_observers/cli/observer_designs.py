@@ -34,6 +34,8 @@ NEEDS: dict[str, type] = {
     "interlaced": SymbolicSystem,
 }
 """The kinds of observers, and the plant of each."""
+DEGREE = 3
+"""Of the power series of an interlaced observer's steady state."""
 NAMES = {Persidskii: "plant", CornerSystem: "parameter-varying plant", SymbolicSystem: "symbolic plant"}
 
 
@@ -42,10 +44,8 @@ class Wish(msgspec.Struct, frozen=True):
 
     observer: str | None
     decay: float
-    injection: bool | None = None
     upper: int | None = None
     first: str | None = None
-    degree: int | None = None
 
 
 def designed(plant: Any, generator: Any, wish: Wish) -> tuple[str, Any]:
@@ -66,7 +66,7 @@ def designed(plant: Any, generator: Any, wish: Wish) -> tuple[str, Any]:
     _refuse_unused(kind, generator, wish)
     one: Any = plant  # of that type
     if kind == "reduced-order":
-        return kind, design_reduced_order(one, decay=wish.decay, injection=wish.injection is not False)
+        return kind, design_reduced_order(one, decay=wish.decay, injection=True)
     if kind == "full-order":
         return kind, design_full_order(one, decay=wish.decay)
     if kind == "regulator":
@@ -82,10 +82,8 @@ def _refuse_unused(kind: str, generator: Any, wish: Wish) -> None:
     """Raise ParameterError for an option that this kind of observer does not read."""
     options = {
         "--generator": (generator, ("driven", "interlaced")),
-        "--injection": (wish.injection, ("reduced-order",)),
         "--upper": (wish.upper, ("interlaced",)),
         "--first": (wish.first, ("interlaced",)),
-        "--degree": (wish.degree, ("interlaced",)),
     }
     for option, (value, kinds) in options.items():
         if value is not None and kind not in kinds:
@@ -133,8 +131,7 @@ def _interlaced(plant: SymbolicSystem, generator: SymbolicGenerator, wish: Wish)
             f"{wish.first!r} with {', '.join(foreign)}",
             field="first",
         )
-    degree = 3 if wish.degree is None else wish.degree
-    steady = interlaced(plant, generator, wish.upper or 0, first, degree=degree)
+    steady = interlaced(plant, generator, wish.upper or 0, first, degree=DEGREE)
     return InterlacedObserver.design(steady, rate=wish.decay)
 
 

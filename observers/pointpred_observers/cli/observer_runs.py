@@ -45,47 +45,41 @@ def plant_of(design: Any) -> Any:
     )
 
 
-def sampling(plant: Any, seconds: float | None, step_s: float | None, steps: int | None) -> FloatArray:
-    """The times of the samples, or the indices of a discrete plant; an option of the other is refused."""
-    if isinstance(plant, Persidskii | CornerSystem) and plant.time == "discrete":
-        for name, value in (("--seconds", seconds), ("--step-s", step_s)):
-            if value is not None:
-                raise ParameterError(f"{name} is for continuous plants, this one is discrete: give --steps")
-        steps = 1000 if steps is None else steps
-        if steps < 1:
-            raise ParameterError(f"--steps must be at least 1, received {steps}", field="steps")
-        return np.arange(steps + 1, dtype=np.float64)
-    if steps is not None:
-        raise ParameterError(
-            "--steps is for discrete plants, this one is continuous: give --seconds and --step-s"
+MOST = 1_000_000
+"""The most samples of a simulation."""
+STEP_S = 0.01
+"""Between two samples of a continuous plant."""
+
+
+def sampling(plant: Any, length: float | None) -> FloatArray:
+    """The times of the samples over a length in s, or the indices of a discrete plant over one in steps."""
+    discrete = isinstance(plant, Persidskii | CornerSystem) and plant.time == "discrete"
+    step, usual = (1.0, 1000.0) if discrete else (STEP_S, 10.0)
+    length = usual if length is None else length
+    if not 0.0 < length < np.inf:
+        raise ParameterError(f"--seconds must be finite and above 0, received {length:g}", field="seconds")
+    count = round(length / step)
+    if not 1 <= count <= MOST or (discrete and count != length):
+        bounds = (
+            f"be a whole number in [1, {MOST}]" if discrete else f"lie in [{STEP_S:g}, {STEP_S * MOST:g}]"
         )
-    seconds, step_s = 10.0 if seconds is None else seconds, 0.01 if step_s is None else step_s
-    for name, value in (("--seconds", seconds), ("--step-s", step_s)):
-        if not 0.0 < value < np.inf:
-            raise ParameterError(f"{name} must be finite and above 0, received {value:g}")
-    count = round(seconds / step_s)
-    if not 1 <= count <= 1_000_000:
-        raise ParameterError(f"--seconds / --step-s must lie in [1, 1000000], received {seconds / step_s:g}")
-    return np.asarray(step_s * np.arange(count + 1), np.float64)
+        raise ParameterError(f"--seconds must {bounds}, received {length:g}", field="seconds")
+    return np.asarray(step * np.arange(count + 1), np.float64)
 
 
 def signals(
     *,
     start: str | None,
-    estimate: str | None,
     input: list[str] | None,
     unknown_input: list[str] | None,
-    disturbance: list[str] | None,
     parameter: list[str] | None,
     noise: str,
 ) -> dict[str, Any]:
     """The arguments of ``simulate`` that the options name."""
     asked: dict[str, Any] = {"noise": _numbers("--noise", noise)}
-    for name, text in (("start", start), ("estimate", estimate)):
-        if text is not None:
-            asked[name] = _numbers(f"--{name}", text)
-    lists = (("input", input), ("unknown_input", unknown_input), ("disturbance", disturbance))
-    for name, texts in lists:
+    if start is not None:
+        asked["start"] = _numbers("--start", start)
+    for name, texts in (("input", input), ("unknown_input", unknown_input)):
         if texts:
             option = f"--{name.replace('_', '-')}"
             asked[name] = _together([_function(option, text) for text in texts])

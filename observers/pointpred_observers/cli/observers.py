@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import Force, check_free, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, Seed, check_free, check_targets, write_json
 from pointpred.cli.reading_options import check_exists
 from pointpred.console import remarks
 from pointpred.errors import ParameterError
@@ -17,14 +17,13 @@ from pointpred.files import write_whole
 if TYPE_CHECKING:
     from pointpred_observers import Simulation
 
-app = typer.Typer(no_args_is_help=True, help="Observers with proofs: design, audit and simulate from files.")
+app = typer.Typer(no_args_is_help=True)
 PlantFile = Annotated[
     Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a plant.")
 ]
 DesignFile = Annotated[
     Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a design.")
 ]
-Json = Annotated[Path | None, typer.Option(metavar="FILE", help="Write the numbers as JSON; - for stdout.")]
 
 
 @app.command()
@@ -98,12 +97,6 @@ def design(
             help="JSON file of the generator that drives the plant (driven, interlaced).",
         ),
     ] = None,
-    injection: Annotated[
-        bool | None,
-        typer.Option(
-            "--injection/--no-injection", help="Whether y enters f (reduced-order). Not given: it does."
-        ),
-    ] = None,
     upper: Annotated[
         int | None, typer.Option(metavar="ROWS", help="Rows of the upper part (interlaced; 0).")
     ] = None,
@@ -113,10 +106,7 @@ def design(
             metavar="EXPRESSION", help="The steady state of the first lower row, such as w1 (interlaced)."
         ),
     ] = None,
-    degree: Annotated[
-        int | None, typer.Option(metavar="DEGREE", help="Degree of the power series (interlaced; 3).")
-    ] = None,
-    json: Json = None,
+    json: Numbers = None,
     force: Force = False,
 ) -> None:
     """Design an observer for the plant of a file, and write it with its certificate.
@@ -142,7 +132,7 @@ def design(
     from pointpred_observers.cli.observer_designs import Wish, designed
     from pointpred_observers.cli.observer_tables import print_design, summary
 
-    wish = Wish(observer, decay, injection, upper, first, degree)
+    wish = Wish(observer, decay, upper, first)
     read, driving = load(plant), None if generator is None else load(generator)
     try:
         kind, made = designed(read, driving, wish)
@@ -162,7 +152,7 @@ def design(
 
 
 @app.command()
-def audit(design: DesignFile, json: Json = None) -> None:
+def audit(design: DesignFile, json: Numbers = None) -> None:
     """Check every inequality and equality of a design again, from the matrices in its file.
 
     Prints how far each inequality holds, and the bound of the error that they prove. Exit code 1 if one
@@ -188,28 +178,11 @@ def audit(design: DesignFile, json: Json = None) -> None:
 @app.command()
 def simulate(
     design: DesignFile,
-    plant: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            callback=check_exists,
-            dir_okay=False,
-            help="Another plant than the design's, for a model that is wrong.",
-        ),
-    ] = None,
-    seconds: Annotated[float | None, typer.Option(help="Length, s (10).")] = None,
-    step_s: Annotated[
-        float | None,
-        typer.Option(metavar="S", help="Time between samples, s (0.01); a regulator's u is held so long."),
-    ] = None,
-    steps: Annotated[
-        int | None, typer.Option(help="Length of a discrete plant's simulation, in steps (1000).")
+    seconds: Annotated[
+        float | None, typer.Option(help="Length, s (10); of a discrete plant, in steps (1000).")
     ] = None,
     start: Annotated[
         str | None, typer.Option(metavar="A,B,...", help="State of the plant at first; not given: ones.")
-    ] = None,
-    estimate: Annotated[
-        str | None, typer.Option(metavar="A,B,...", help="What the observer begins with; not given: zeros.")
     ] = None,
     input: Annotated[
         list[str] | None,
@@ -219,10 +192,6 @@ def simulate(
         list[str] | None,
         typer.Option(metavar="EXPRESSION", help="An input that nobody measures, a function of t."),
     ] = None,
-    disturbance: Annotated[
-        list[str] | None,
-        typer.Option(metavar="EXPRESSION", help="What is added to x', a function of t; once for each state."),
-    ] = None,
     parameter: Annotated[
         list[str] | None,
         typer.Option(metavar="NAME=EXPRESSION", help="A scheduling variable, a function of t."),
@@ -230,12 +199,12 @@ def simulate(
     noise: Annotated[
         str, typer.Option(metavar="SD", help="Standard deviation of the outputs' noise, or one for each.")
     ] = "0",
-    seed: Annotated[int, typer.Option(help="Seed of the noise.")] = 0,
+    seed: Seed = 0,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Figure to draw: .svg, .png or .pdf.")
     ] = None,
     out: Annotated[Path | None, typer.Option(metavar="FILE", help="CSV file of every signal.")] = None,
-    json: Json = None,
+    json: Numbers = None,
     force: Force = False,
 ) -> None:
     """Simulate a design with its plant: print the errors, draw them, write every signal.
@@ -249,8 +218,7 @@ def simulate(
 
       pointpred observers simulate motor_design.json --start 0.5,0,0 --seconds 4 --out motor.csv
     """
-    read = [design] if plant is None else [design, plant]
-    check_targets({"--plot": plot, "--out": out, "--json": json}, read)
+    check_targets({"--plot": plot, "--out": out, "--json": json}, [design])
     for option, target in (("--plot", plot), ("--out", out)):
         check_free(target, force, option)
     if plot is not None:
@@ -264,19 +232,15 @@ def simulate(
     from pointpred_observers.cli.observer_tables import errors_document, print_errors
 
     made = load(design)
-    truth = plant_of(made) if plant is None else load(plant)
+    plant = plant_of(made)
     asked: dict[str, Any] = signals(
         start=start,
-        estimate=estimate,
         input=input,
         unknown_input=unknown_input,
-        disturbance=disturbance,
         parameter=parameter,
         noise=noise,
     )
-    result: Simulation = simulated(
-        truth, made, times=sampling(truth, seconds, step_s, steps), seed=seed, **asked
-    )
+    result: Simulation = simulated(plant, made, times=sampling(plant, seconds), seed=seed, **asked)
     if plot is not None:
         result.plot(plot)
     if out is not None:

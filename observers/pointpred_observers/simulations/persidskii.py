@@ -190,7 +190,7 @@ def _walked(
 def _too_far(times: FloatArray) -> ParameterError:
     return ParameterError(
         f"times: samples lie {np.diff(times).max():g} s apart, more than 1e5 steps of the observer, "
-        "which is that fast: they must lie closer together (--step-s), or the design needs less decay",
+        "which is that fast: they must lie closer together, or the design needs less decay",
         field="times",
     )
 

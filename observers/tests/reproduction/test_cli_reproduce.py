@@ -16,7 +16,7 @@ def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_they_are_listed_beside_the_others(command: Callable) -> None:
-    left = command("reproduce", "--list")
+    left = command("reproduce")
     assert left.code == 0
     lines = {line.split()[0]: line for line in left.out.splitlines()[1:]}
     assert "--recordings: sniffer.csv" in lines["3.11"]

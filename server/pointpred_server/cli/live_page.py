@@ -23,9 +23,7 @@ from pointpred_server.settings import Settings
 
 def page_opener(host: str | None, port: int | None) -> OpenPage:
     """What opens the page of a session; raises ParameterError for settings that are wrong."""
-    settings = settings_of(
-        {name: value for name, value in (("host", host), ("port", port)) if value is not None}
-    )
+    settings = settings_of(host=host, port=port)
 
     def open_page(session: LiveSession, predictor: str, cpi: float | None, dpi: float) -> PageService:
         set_up(None)  # a view in the terminal takes the log from here
