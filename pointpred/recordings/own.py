@@ -102,6 +102,7 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
         unusable=about_trials.unusable,
         provenance=header.provenance or Provenance("parquet" if path.suffix == ".parquet" else "csv"),
         notes=(*header.notes, *notes, *about_trials.notes),
+        sort=reading.sort,
     )
     slow = [] if header.provenance or reading.time_unit else _too_slow(recording)
     return msgspec.structs.replace(recording, notes=(*recording.notes, *slow))

@@ -66,6 +66,9 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     records: Annotated[
         str | None, told("Path to the rows in nested JSON, such as data.trials.", table=True)
     ] = None
+    sort: Annotated[
+        bool, told("Sort the samples of each trial or stream by time, however late they are.")
+    ] = False
     target: Annotated[str | None, told("Selector of the element that is the goal, as '#left' (jsPsych).")] = (
         None
     )

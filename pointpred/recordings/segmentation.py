@@ -19,6 +19,7 @@ from pointpred.recordings.trials import (
     X,
     Y,
     assemble,
+    in_order,
 )
 from pointpred.records import EventColumns
 
@@ -133,6 +134,9 @@ def trials_of_stream(
     Time starts at 0 in each trial; the condition ``begins_s`` is its beginning on the stream's clock.
     """
     row = np.arange(len(events), dtype=np.int64) if row_of is None else row_of
+    ordered = in_order(events.t, reading.sort)
+    events, place_of = EventColumns(events.table[ordered.order]), np.argsort(ordered.order)
+    notes, row = [*notes, *ordered.notes(row)], row[ordered.order]
     group = np.full(len(events), -1, dtype=np.int64)
     trials: list[Trial] = []
     skipped: list[Skip] = []
@@ -155,7 +159,9 @@ def trials_of_stream(
         group[in_trial],
         trials,
         skipped=skipped,
-        faults={int(place[at]): words for at, words in (faults or {}).items() if in_trial[at]},
+        faults={
+            int(place[place_of[at]]): words for at, words in (faults or {}).items() if in_trial[place_of[at]]
+        },
         provenance=provenance,
         row_of=row[in_trial],
         notes=notes,

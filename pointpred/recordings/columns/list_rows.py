@@ -67,6 +67,7 @@ def recording_of_lists(
     provenance: Provenance,
     skipped: Sequence[Skip],
     notes: Sequence[str],
+    sort: bool,
 ) -> Recording:
     """One trial per row: ``mapping`` names the columns; those in ``others`` become conditions.
 
@@ -77,7 +78,7 @@ def recording_of_lists(
     for field in TARGET:
         cells.setdefault(field, [UNKNOWN] * len(cells["t"]))
     conditions = {name: columns(name).to_pylist() for name in others if not holds_lists(columns(name))}
-    lists = Lists()
+    lists = Lists(sort)
     lists.skipped += skipped
     lists.notes += notes
     if "user" not in mapping:

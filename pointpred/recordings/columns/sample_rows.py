@@ -19,7 +19,16 @@ from pointpred.recordings.columns.names import parts_of_study
 from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.reading import Cut, Reading
 from pointpred.recordings.segmentation import PAUSE_S, cut
-from pointpred.recordings.trials import TARGET, Codes, assemble, codes_of, conditions_of, keys_of, one_value
+from pointpred.recordings.trials import (
+    TARGET,
+    Codes,
+    assemble,
+    codes_of,
+    conditions_of,
+    in_order,
+    keys_of,
+    one_value,
+)
 from pointpred.records import EVENT_FIELDS, EventColumns, FloatArray
 
 LONG_S, GAP_S = 10.0, 1.0
@@ -82,7 +91,7 @@ def recording_of_rows(
             table[:, index] = rows.values[field.name]
     users, one_user = keys.get("user"), stem_of(path)
     if "trial" in keys:
-        groups = _by_column(rows, users, keys["trial"], one_user, others)
+        groups = _by_column(rows, users, keys["trial"], one_user, others, reading.sort)
         if reading.cut is not None:
             groups.notes.append(f"cut {reading.cut!r} has no effect: the table has a column for trials")
     else:
@@ -137,17 +146,22 @@ def recording_of_rows(
         },
         provenance=provenance,
         row_of=rows.row_of[members],
+        sort=reading.sort or "trial" not in keys,  # a stream was cut where its time starts anew
         notes=(*notes, *groups.notes),
     )
 
 
-def _by_column(rows: Rows, users: Any, trials: Any, one_user: str, others: dict[str, Any]) -> Groups:
+def _by_column(
+    rows: Rows, users: Any, trials: Any, one_user: str, others: dict[str, Any], sort: bool
+) -> Groups:
     """Trials as named in the table, restarts separated; rows outside trials are left out and counted."""
     if users is None:
         user_codes, user_names = np.zeros(rows.count, dtype=np.int64), [one_user]
     else:
         user_codes, user_names = codes_of(users.fill_null(""))
-    (trial_codes, trial_names), restarts = without_restarts(user_codes, trials, rows.values["t"], others)
+    (trial_codes, trial_names), restarts = without_restarts(
+        user_codes, trials, rows.values["t"], others, sort
+    )
     named = np.array([bool(name.strip()) for name in trial_names] or [True])[trial_codes]
     if users is not None:
         named &= np.array([bool(name.strip()) for name in user_names] or [True])[user_codes]
@@ -178,9 +192,10 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
             continue
         events = table[mine].copy()
         events[:, 0] = (events[:, 0] - events[0, 0]) / rows.per_second
-        back = np.flatnonzero(np.diff(events[:, 0]) < 0) + 1
-        restarts += len(back)
-        parts = np.split(np.arange(len(mine)), back)
+        order, anew, _ = in_order(events[:, 0], reading.sort)
+        restarts += len(anew)
+        mine, events = mine[order], events[order]
+        parts = np.split(np.arange(len(mine)), anew)
         how = reading.cut or _method(events, parts)
         methods[how] = methods.get(how, 0) + 1
         named = user or one_user
@@ -236,13 +251,13 @@ def join_columns(columns: list[Any]) -> Any:
 
 
 def without_restarts(
-    user: IntArray, column: Any, clock: FloatArray, others: Mapping[str, Any]
+    user: IntArray, column: Any, clock: FloatArray, others: Mapping[str, Any], sort: bool = False
 ) -> tuple[Codes, list[str]]:
     """The trial of each row by the ``column`` of trials, with restarts separated; and notes on assumptions.
 
     If a trial of a user has several runs of rows, a usual column such as ``block`` that separates them is
     joined to the trial. Without one, a run that begins before the end of the last one is a separate trial,
-    named ``trial (2)`` and so on. Rows without a trial (empty text) stay so.
+    named ``trial (2)`` and so on, unless rows are to be sorted. Rows without a trial (empty text) stay so.
     """
     trials = codes_of(column.fill_null(""))
     order = np.argsort(user, kind="stable")
@@ -254,7 +269,7 @@ def without_restarts(
         joint = codes_of(join_columns([*(others[name] for name in names), column]).fill_null(""))
         if _separates(_Runs(user, joint, order), runs, clock[order]):
             return joint, [f"trial numbers restart: {' and '.join(names)} joined to the trial"]
-    return _split(trials, runs, clock[order], order)
+    return (trials, []) if sort else _split(trials, runs, clock[order], order)
 
 
 class _Runs:

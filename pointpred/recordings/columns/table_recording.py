@@ -197,6 +197,7 @@ def _of_lists(mapped: _MappedTable) -> Recording:
         provenance=mapped.provenance(how),
         skipped=mapped.table.skipped,
         notes=mapped.all_notes(how),
+        sort=mapped.reading.sort,
     )
 
 
@@ -287,7 +288,7 @@ def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None
 def _check_steps(mapped: _MappedTable, rows: Rows, keys: Mapping[str, Any]) -> None:
     """Note implausible steps of the clock; raise ColumnsError if it is too coarse to cut a stream."""
     times, users = rows.values["t"], keys.get("user")
-    if "trial" not in keys:
+    if "trial" not in keys and not mapped.reading.sort:
         _check_clock(mapped, times, users)
     mapped.notes += clock_notes(mapped.mapping["t"], rows.per_second, times, users)
     if only_whole_seconds(times, rows.per_second, users):
