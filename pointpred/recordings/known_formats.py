@@ -12,7 +12,7 @@ from pointpred.recording import Recording
 from pointpred.recordings import appended, arrow_tables, own
 from pointpred.recordings.arrow_tables import ColumnTable
 from pointpred.recordings.columns.table_recording import recording_of_table
-from pointpred.recordings.encodings import head_of
+from pointpred.recordings.encodings import head_of, text_in
 from pointpred.recordings.formats import (
     balabit,
     delimited,
@@ -150,6 +150,12 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     """
     if path.exists() and not path.is_file():
         raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")
+    with text_in(reading.encoding):
+        return _format_of(path, reading)
+
+
+def _format_of(path: Path, reading: Reading) -> Format | None:
+    """The format of a file that can be read twice."""
     head = head_of(path)
     as_table = reading.columns is not None or reading.records is not None
     formats = sorted(FORMATS, key=lambda form: not form.tabular) if as_table else FORMATS

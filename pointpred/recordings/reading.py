@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 from pathlib import Path
 from typing import Annotated, Literal, get_args
@@ -66,6 +67,13 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     records: Annotated[
         str | None, told("Path to the rows in nested JSON, such as data.trials.", table=True)
     ] = None
+    encoding: Annotated[
+        str | None,
+        told(
+            "Encoding of the text, as gb18030 or shift_jis; not given: UTF-8, else Windows-1252.",
+            metavar="NAME",
+        ),
+    ] = None
     sort: Annotated[
         bool, told("Sort the samples of each trial or stream by time, however late they are.")
     ] = False
@@ -86,6 +94,7 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
                 self.cpi is None or CPI[0] <= self.cpi <= CPI[1],
                 f"in [{CPI[0]:g}, {CPI[1]:g}] counts per inch",
             ),
+            ("encoding", _is_encoding(self.encoding), "the name of an encoding, as gb18030"),
             ("time_unit", self.time_unit in (None, *get_args(TimeUnit)), "s, ms, us, ns or iso"),
             (
                 "px_per_unit",
@@ -104,6 +113,17 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
         """Pixels in a unit across and down; 1 where ``px_per_unit`` does not say it."""
         px = 1.0 if self.px_per_unit is None else self.px_per_unit
         return px if isinstance(px, tuple) else (px, px)
+
+
+def _is_encoding(name: str | None) -> bool:
+    """Whether Python knows an encoding of text of this name."""
+    try:
+        if name is not None:
+            codecs.getincrementaldecoder(name)
+            "".encode(name)
+    except (LookupError, ValueError):
+        return False
+    return True
 
 
 def columns_of(text: str) -> dict[str, str | int]:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 
 from pointpred.devices.evdev import EVENT, FrameDecoder
-from pointpred.errors import RecordingError
+from pointpred.errors import ColumnsError, ParameterError, RecordingError
 from pointpred.recording import Recording, Skip, kinds_of
 from pointpred.recordings import Reading, convert, read_any
+from pointpred.recordings.columns.buttons import pressed
+from pointpred.records import EventColumns
 from tests.building import lines_file, text_file
 
 FAULTS = Path(__file__).parents[1] / "data" / "faults"
@@ -22,7 +25,9 @@ def one(name: str | Path, reading: Reading | None = None) -> Recording:
 
 
 def test_the_device_of_each_report_is_known_however_its_line_is_written() -> None:
-    with pytest.raises(RecordingError, match=r"A Mouse: no motion in 4 reports.*A Touch Screen: .*relative x"):
+    with pytest.raises(
+        RecordingError, match=r"A Mouse: no motion in 4 reports.*A Touch Screen: .*relative x"
+    ):
         one("two_devices.hid")
 
 
@@ -163,3 +168,124 @@ def test_targets_that_are_mirrored_are_a_note(tmp_path: Path, turned: int) -> No
     asked = [note for note in recording.notes if "opposite sides" in note]
     assert len(asked) == (turned < 0)
     assert not asked or asked[0].startswith("the larger target_y is, the smaller is y where movements end")
+
+
+@pytest.mark.parametrize("name", ["words_click_pressed.csv", "words_button_left.csv"])
+def test_words_for_buttons_are_read_by_rule(name: str) -> None:
+    recording = one(name, Reading(columns={"buttons": "event_type"}, cut="whole"))
+    assert recording.events.buttons.sum() == 1
+
+
+@pytest.mark.parametrize(
+    ("cell", "value"),
+    [
+        *[
+            (word, 1)
+            for word in (
+                "click_pressed",
+                "Button.left",
+                "BTN_LEFT",
+                "pointerdown",
+                "touchstart",
+                "Left Click",
+            )
+        ],
+        *[
+            (word, 0)
+            for word in (
+                "click_released",
+                "pointermove",
+                "touch-end",
+                "left up",
+                "scroll down",
+                "mouseleave",
+                "",
+            )
+        ],
+        *[("Button.right", 2), ("BTN_MIDDLE", 4), ("Pressed Button.x1", 8), ("3", 3), ("1.0", 1)],
+        *[(word, None) for word in ("mouse", "target", "-1", "2.5", "keydown", "70000")],
+    ],
+)
+def test_a_word_for_a_button_is_a_device_a_button_and_what_happened(cell: str, value: int | None) -> None:
+    found = pressed(cell)
+    assert found == value if value is not None else found != found
+
+
+def test_words_in_lists_of_buttons_are_read_alike(tmp_path: Path) -> None:
+    row = '"[0, 10, 20]","[0, 5, 9]","[0, 1, 2]","[mousedown, mousemove, Button.left]"'
+    recording = one(lines_file(tmp_path / "lists.csv", "t_ms,x,y,buttons", row))
+    assert recording.events.buttons.tolist() == [1, 0, 1]
+
+
+def test_a_trial_is_named_by_any_usual_counter() -> None:
+    recording = one("trial_idx.csv")
+    assert "columns: t = time_elapsed in s (by its rate), x = x, y = y, trial = trial_idx" in recording.notes
+    assert [trial.trial for trial in recording.trials] == ["1", "2", "3"]
+
+
+def test_blocks_are_joined_to_such_trials(tmp_path: Path) -> None:
+    rows = [f"{block},{trial},{16 * at},{at},{at}" for block in (1, 2) for trial in (1, 2) for at in range(9)]
+    recording = one(lines_file(tmp_path / "blocks.csv", "block_idx,trialIdx,t_ms,x,y", *rows))
+    assert [trial.trial for trial in recording.trials] == ["1+1", "1+2", "2+1", "2+2"]
+
+
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+@pytest.mark.parametrize("at", [0, 1, 7])
+def test_empty_cells_behind_the_last_column_cost_no_row(tmp_path: Path, separator: str, at: int) -> None:
+    lines = ["t_ms,x,y,word", *[f'{16 * row},{row},{row}.5,"a, b"' for row in range(12)]]
+    lines[at] += ",,"
+    lines = [line.replace(",", separator).replace(f'"a{separator} b"', '"a, b"') for line in lines]
+    recording = one(lines_file(tmp_path / "further.csv", *lines))
+    assert recording.events.x.tolist() == list(range(12))
+    assert recording.skipped == ()
+    assert recording.trials[0].condition["word"] == "a, b"
+
+
+def test_a_first_row_with_an_empty_further_cell_is_read() -> None:
+    assert len(one("trailing_first_row.csv").events) == 60
+
+
+CHINESE = Reading(columns={"t": "时间(ms)", "x": "横坐标", "y": "纵坐标", "user": "被试"})
+
+
+def test_an_encoding_that_cannot_be_found_out_is_named() -> None:
+    with pytest.raises(
+        ColumnsError, match=r"byte 2 is not UTF-8: the file is read as Windows-1252; --encoding"
+    ):
+        one("gbk.csv", CHINESE)
+    recording = one("gbk.csv", msgspec.structs.replace(CHINESE, encoding="gb18030"))
+    assert len(recording.events) == 60
+    assert not any("Windows-1252" in note for note in recording.notes)
+    assert recording.trials[0].user.isalpha()
+
+
+def test_a_wrong_encoding_is_refused_with_its_byte() -> None:
+    with pytest.raises(RecordingError, match=r"gbk\.csv: byte 2 is not utf-8"):
+        one("gbk.csv", msgspec.structs.replace(CHINESE, encoding="utf-8"))
+    with pytest.raises(ParameterError, match=r"encoding must be the name of an encoding, .* received 'hex'"):
+        Reading(encoding="hex")
+
+
+def test_the_guess_is_named_in_every_refusal(tmp_path: Path) -> None:
+    path = tmp_path / "letter.txt"
+    path.write_bytes("Grüße,\n".encode("cp1252"))
+    with pytest.raises(RecordingError, match=r"no known recording format.*read as Windows-1252"):
+        one(path)
+
+
+def test_utf_16_without_its_mark_is_read_where_it_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "wide.csv"
+    path.write_bytes((FAULTS / "trailing_first_row.csv").read_text(encoding="utf-8").encode("utf-16-le"))
+    assert len(one(path, Reading(encoding="utf-16-le")).events) == 60
+
+
+def test_an_encoding_has_no_effect_on_what_is_no_text() -> None:
+    recording = one(FAULTS.parent / "sources" / "table.parquet", Reading(encoding="gb18030"))
+    assert "encoding has no effect: a table of samples (Parquet) is no text" in recording.notes
+
+
+def test_columns_of_events_in_milliseconds_are_warned_of() -> None:
+    with pytest.warns(
+        UserWarning, match=r"median interval of t is 16 s: t is in seconds, are these millisec"
+    ):
+        EventColumns.of(16.0 * np.arange(5), np.arange(5), np.zeros(5))

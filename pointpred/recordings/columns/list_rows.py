@@ -12,6 +12,7 @@ import pyarrow as pa
 
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
 from pointpred.recordings import arrow_tables
+from pointpred.recordings.columns.buttons import pressed
 from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.trials import (
     CLOSING,
@@ -153,9 +154,10 @@ def _from_first(times: Sequence[Any]) -> Sequence[Any]:
 
 def _buttons(series: dict[str, list[Any]]) -> list[float] | None:
     """The buttons of each sample; ``None`` if there are none, or not as many as times."""
-    pressed = [_number(item) for item in series.get("buttons", [])]
-    fits = len(pressed) == len(series["t"]) and all(value == value for value in pressed)
-    return pressed if pressed and fits else None
+    items = series.get("buttons", [])
+    values = [pressed(item) if isinstance(item, str) else _number(item) for item in items]
+    fits = len(values) == len(series["t"]) and all(value == value for value in values)
+    return values if values and fits else None
 
 
 def _word(cell: Any) -> str:

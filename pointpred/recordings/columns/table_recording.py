@@ -16,6 +16,7 @@ from pointpred.recording import Provenance, Recording
 from pointpred.recordings import arrow_tables
 from pointpred.recordings.arrow_tables import ColumnTable
 from pointpred.recordings.columns import clocks
+from pointpred.recordings.columns.buttons import buttons_of
 from pointpred.recordings.columns.clocks import (
     HEAD,
     clock_notes,
@@ -26,27 +27,17 @@ from pointpred.recordings.columns.clocks import (
 )
 from pointpred.recordings.columns.list_rows import holds_lists, recording_of_lists, steps_of
 from pointpred.recordings.columns.mapping import KEYS, command_for, mapping, parts_of, unit_refusal
-from pointpred.recordings.columns.names import VAGUE, similar_names, words_of
+from pointpred.recordings.columns.names import similar_names
 from pointpred.recordings.columns.sample_rows import Rows, join_columns, recording_of_rows
 from pointpred.recordings.nested_records import open_cells
 from pointpred.recordings.reading import NEEDED, Reading
-from pointpred.recordings.trials import MOST_BUTTONS, TARGET, codes_of
+from pointpred.recordings.trials import TARGET, codes_of
 from pointpred.records import EventColumns, FloatArray
 
 MOSTLY = 0.5
 """Largest share of cells that are not numbers in a column of numbers."""
 OFTEN, FEW = 0.2, 3
 """With a larger share and number of backward steps a column is not a clock that restarts."""
-RELEASED = frozenset(("false", "no", "none", "up", "released", "release", "mouseup", "move", "mousemove"))
-DOWN = ("true", "yes", "down", "pressed", "press", "mousedown", "click", "left", "drag", "primary")
-PRESSED = {
-    **dict.fromkeys(DOWN, 1.0),
-    "right": 2.0,
-    "secondary": 2.0,
-    "middle": 4.0,
-}
-BUTTON_WORDS = {*RELEASED, *PRESSED} - {"true", "false", "yes", "no", "none", "move"}
-"""Words that mark a column named ``state`` as the buttons' state."""
 
 
 def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Recording:
@@ -324,57 +315,3 @@ def _part_alike(one: Any, other: Any) -> bool:
     codes = [codes_of(pc.fill_null(arrow_tables.words(column), ""))[0] for column in (one, other)]
     together = len(np.unique(codes[0] * (codes[1].max(initial=0) + 1) + codes[1]))
     return together == len(np.unique(codes[0])) == len(np.unique(codes[1]))
-
-
-def buttons_of(path: Path, name: str, column: Any, explicit: bool) -> FloatArray | None:
-    """Pressed buttons as W3C pointer events number them, 0 for an empty cell.
-
-    A column that the user named (``explicit``) must hold buttons, else RecordingError names the wrong cell;
-    for a column with a usual name the answer is then ``None``; ``state`` must hold words for buttons.
-    """
-    if not explicit and words_of(name) in [[vague] for vague in VAGUE] and not _has_words(column):
-        return None
-    if pa.types.is_boolean(column.type) or not arrow_tables.is_words(column):
-        values = np.nan_to_num(arrow_tables.numbers(column)[0])
-        bad = np.flatnonzero((values < 0) | (values > MOST_BUTTONS) | (values != np.floor(values)))
-        cell = str(values[bad[0]]) if len(bad) else ""
-    else:
-        codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
-        numbers = np.array([_pressed(cell) for cell in cells] or [0.0])
-        values = numbers[codes]
-        bad = np.flatnonzero(np.isnan(values))
-        cell = cells[codes[bad[0]]] if len(bad) else ""
-    if not len(bad):
-        return values
-    if not explicit:
-        return None
-    raise RecordingError(
-        f"{path}: data row {bad[0]}: {name} is {arrow_tables.short(cell)!r}, expected buttons: "
-        f"a whole number, or one of {', '.join(sorted((*PRESSED, *RELEASED)))}"
-    )
-
-
-def _has_words(column: Any) -> bool:
-    """Whether cells are words used only for buttons."""
-    if not arrow_tables.is_words(column):
-        return False
-    _, cells = codes_of(arrow_tables.words(column).fill_null(""))
-    return any(_word(cell) in BUTTON_WORDS for cell in cells)
-
-
-def _word(cell: str) -> str:
-    return cell.strip().lower().replace("_", "").replace(" ", "")
-
-
-def _pressed(cell: str) -> float:
-    """The buttons of a cell, NaN if it is not a value of buttons."""
-    word = _word(cell)
-    if not word or word in RELEASED:
-        return 0.0
-    if word in PRESSED:
-        return PRESSED[word]
-    try:
-        number = float(word)
-    except ValueError:
-        return float("nan")
-    return number if 0 <= number <= MOST_BUTTONS and number == int(number) else float("nan")

@@ -185,7 +185,7 @@ def frames_of_counts(
     whole = np.array(table, dtype=np.int64)
     x, y = np.cumsum(whole[:, 1]), np.cumsum(whole[:, 2])
     seconds = (whole[:, 0] - whole[0, 0]) / 1e6
-    events = EventColumns.of(seconds, x, y, whole[:, 1], whole[:, 2], whole[:, 3])
+    events = EventColumns(np.column_stack([seconds, x, y, whole[:, 1:]]))
     return Frames(events, np.array(rows, dtype=np.int64), faults or {}, notes)
 
 
