@@ -17,6 +17,8 @@ TimeUnit = Literal["s", "ms", "us", "ns", "iso"]
 FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "target_w", "dx", "dy")
 """The fields to which columns of a table can be mapped."""
 NEEDED = ("t", "x", "y")
+KEYS = ("user", "trial")
+"""The fields that several columns may name together, as ``block+trial``; others may be their sum."""
 
 
 def told(meaning: str, *, table: bool = False, metavar: str | None = None) -> msgspec.Meta:
@@ -35,7 +37,8 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
 
     For any table: ``columns`` names, for some of ``FIELDS``, the column that holds it, by its name or by its
     place counted from 0; other fields are guessed from the usual names, or unknown if t, x and y are all
-    named.
+    named. Columns joined by + name a user or a trial together, and are added up for any other field;
+    ``pos.0`` is the first of several numbers in the cells of ``pos``.
     """
 
     cut: Annotated[

@@ -53,7 +53,7 @@ def _is_long(cell: str) -> bool:
 
 def steps_of(column: Any) -> Any:
     """The times of the first rows concatenated, to determine their unit."""
-    lists = [_items(cell) for cell in column.slice(0, PROBE).to_pylist()]
+    lists = [items_of(cell) for cell in column.slice(0, PROBE).to_pylist()]
     return np.array([_number(item) for items in lists for item in items])
 
 
@@ -92,7 +92,7 @@ def recording_of_lists(
     often = Counter(zip(users, trials, strict=True))
     empty = before = 0
     for row in range(count):
-        series = {field: _items(cells[field][row]) for field in SERIES if field in cells}
+        series = {field: items_of(cells[field][row]) for field in SERIES if field in cells}
         blank = _blank(series)
         before += blank
         series = {field: items[blank:] for field, items in series.items()}
@@ -127,7 +127,7 @@ def recording_of_lists(
     return lists.recording(stem_of(path), provenance)
 
 
-def _items(cell: Any) -> list[Any]:
+def items_of(cell: Any) -> list[Any]:
     """The items of a list cell or of its text; none if it is empty."""
     if not isinstance(cell, str):
         return [] if cell is None else list(cell) if isinstance(cell, list) else [cell]

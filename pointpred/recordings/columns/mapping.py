@@ -22,11 +22,10 @@ from pointpred.recordings.columns.names import (
     similar_names,
     words_of,
 )
-from pointpred.recordings.reading import FIELDS, NEEDED, Reading
+from pointpred.recordings.reading import FIELDS, KEYS, NEEDED, Reading
 
-KEYS = ("user", "trial")
 JOIN = "+"
-"""Separator of columns that together name a user or a trial."""
+"""Separator of columns that together name a user or a trial, or are added up."""
 UNITS = ("s", "ms", "us", "ns", "iso")
 Cells = Callable[[str], Any]
 """The column of a name as an Arrow array."""
@@ -77,16 +76,14 @@ def mapping(
 
 
 def parts_of(path: Path, names: Sequence[str], reading: Reading) -> dict[str, list[str]]:
-    """The columns that ``reading`` joins for user or trial, by text such as ``block+trial``.
+    """The columns that ``reading`` joins or adds up, by text such as ``block+trial``.
 
     A column with that very name is not a join. Raises ColumnsError for a part that is not a column.
     """
-    explicit = (
-        {str(reading.columns[key]): key for key in KEYS if key in reading.columns} if reading.columns else {}
-    )
+    explicit = {str(column): field for field, column in (reading.columns or {}).items()}
     return {
-        name: [_find_column(path, names, key, part.strip()) for part in name.split(JOIN)]
-        for name, key in explicit.items()
+        name: [_find_column(path, names, field, part.strip()) for part in name.split(JOIN)]
+        for name, field in explicit.items()
         if JOIN in name and name not in names
     }
 

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 
 import msgspec
 
+from pointpred.recordings.reading import KEYS
+
 
 def _words(*lines: str) -> tuple[str, ...]:
     return tuple(" ".join(lines).split())
@@ -41,7 +43,6 @@ XS = _words(
     "xtrajectory trajectoryx xvalues xvals",
 )
 STUDY = ("block", "session", "run", "condition", "phase")
-KEYS = ("user", "trial")
 COUNTS = frozenset(_words("id number num no nr index idx name count"))
 """Words beside the one that names the counted thing."""
 NUMBERED = COUNTS - {"name", "count"}

@@ -8,10 +8,9 @@ from typing import Any
 
 import msgspec
 import numpy as np
-import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.errors import ColumnsError, RecordingError
+from pointpred.errors import ColumnsError
 from pointpred.recording import Provenance, Recording
 from pointpred.recordings import arrow_tables
 from pointpred.recordings.arrow_tables import ColumnTable
@@ -25,12 +24,12 @@ from pointpred.recordings.columns.clocks import (
     only_whole_seconds,
     units_of,
 )
+from pointpred.recordings.columns.expansion import as_arrow, expand
 from pointpred.recordings.columns.list_rows import holds_lists, recording_of_lists, steps_of
-from pointpred.recordings.columns.mapping import KEYS, command_for, mapping, parts_of, unit_refusal
+from pointpred.recordings.columns.mapping import command_for, mapping, unit_refusal
 from pointpred.recordings.columns.names import similar_names
-from pointpred.recordings.columns.sample_rows import Rows, join_columns, recording_of_rows
-from pointpred.recordings.nested_records import open_cells
-from pointpred.recordings.reading import NEEDED, Reading
+from pointpred.recordings.columns.sample_rows import Rows, recording_of_rows
+from pointpred.recordings.reading import KEYS, NEEDED, Reading
 from pointpred.recordings.trials import TARGET, codes_of
 from pointpred.records import EventColumns, FloatArray
 
@@ -46,7 +45,7 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     Notes list the assumptions. Raises ColumnsError, which names the columns and a mapping to try, if no
     mapping is certain, and RecordingError if a mapped column has the wrong content.
     """
-    mapped = _MappedTable(path, _expand(path, table, reading), reading)
+    mapped = _MappedTable(path, expand(path, table, reading), reading)
     recording = _of_lists(mapped) if mapped.holds_lists else _of_rows(mapped)
     position_notes = _position_notes(recording.events, reading)
     return msgspec.structs.replace(recording, notes=(*recording.notes, *position_notes))
@@ -156,19 +155,6 @@ class _MappedTable:
         return all(_part_alike(self.column(some[0]), self.column(other)) for other in some[1:])
 
 
-def _expand(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
-    """The table with tracks in its cells expanded to columns, and with joined columns."""
-    columns, damage = open_cells(table.columns)
-    sizes = {len(column) for column in columns.values()}
-    if len(sizes) > 1:
-        raise RecordingError(
-            f"{path}: columns of {min(sizes)} to {max(sizes)} rows, expected as many of each"
-        )
-    for name, parts in parts_of(path, list(columns), reading).items():
-        columns[name] = join_columns([as_arrow(columns[part]) for part in parts])
-    return msgspec.structs.replace(table, columns=columns, notes=(*table.notes, *damage))
-
-
 def _of_lists(mapped: _MappedTable) -> Recording:
     """The recording in a table with one trial per row; raises ColumnsError."""
     lacking = [mapped.mapping[field] for field in NEEDED if not holds_lists(mapped.field(field))]
@@ -245,21 +231,6 @@ def _read_buttons(mapped: _MappedTable, rows: Rows) -> None:
         del mapped.mapping["buttons"]
     else:
         rows.values["buttons"] = pressed
-
-
-def as_arrow(column: Any) -> Any:
-    """A column as an Arrow array; cells of several types become text."""
-    if isinstance(column, pa.ChunkedArray):
-        return column
-    try:
-        array = pa.array(column)
-    except MemoryError:  # one of Arrow's, too: text takes even more
-        raise
-    except (pa.ArrowException, TypeError, ValueError, OverflowError):
-        array = pa.array([None if cell is None else str(cell) for cell in column], pa.string())
-    if pa.types.is_null(array.type):
-        array = pc.cast(array, pa.string())
-    return pa.chunked_array([array])
 
 
 def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None:

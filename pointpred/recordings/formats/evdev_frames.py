@@ -76,6 +76,7 @@ def recording_of_devices(
     unreadable: UnreadableLines,
     reading: Reading,
     clock: str,
+    unit: str = "counts",
 ) -> Recording:
     """The recording of all devices that move; the others and lines that cannot be read are in notes.
 
@@ -87,7 +88,7 @@ def recording_of_devices(
         if isinstance(stream, str):
             still.append(f"device {name}: {stream}")
         else:
-            parts.append(_recording(path, form, name, stream, reading, clock))
+            parts.append(_recording(path, form, name, stream, reading, clock, unit))
     notes = [*still, *unreadable.notes]
     if not parts:
         why = "; ".join(notes) or "no devices, expected one that moves"
@@ -189,7 +190,9 @@ def frames_of_counts(
     return Frames(events, np.array(rows, dtype=np.int64), faults or {}, notes)
 
 
-def _recording(path: Path, form: str, device: str, stream: Frames, reading: Reading, clock: str) -> Recording:
+def _recording(
+    path: Path, form: str, device: str, stream: Frames, reading: Reading, clock: str, unit: str
+) -> Recording:
     """The recording of one device's frames, by default cut into bursts."""
     return trials_of_stream(
         stem_of(path),
@@ -199,7 +202,7 @@ def _recording(path: Path, form: str, device: str, stream: Frames, reading: Read
         user="unknown",
         provenance=Provenance(
             form,
-            unit="counts",
+            unit=unit,
             origin="where the stream began",
             y_axis="down",
             clock=clock,
