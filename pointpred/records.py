@@ -9,7 +9,6 @@ hold rows, users hold records.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from math import floor, inf, nan
 from operator import index
@@ -34,7 +33,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError
-from pointpred.parameter import is_number
+from pointpred.parameter import is_number, warn_of_milliseconds
 from pointpred.regions import Region, probability, region_of
 
 FloatArray = NDArray[np.float64]
@@ -61,8 +60,6 @@ METRES_PER_INCH = 0.0254
 CPI, DPI = (1.0, 1e6), (1.0, 1e5)
 """Bounds on the counts per inch of a device and the pixels per inch of a screen."""
 F8 = "<f8"
-SLOW_S, STEPS_LEAST = 1.5, 3
-"""The longest median interval of a pointer, judged by at least so many."""
 ROUNDING_S = 1e-6
 """Spans of time that differ by less are compared as equal: no rule may hang on how a clock is rounded."""
 
@@ -507,14 +504,12 @@ class EventColumns(Columns[PointerEvent]):
     ) -> Self:
         """Columns from one array a field, all of the same length; what is missing is ``None`` or 0.
 
-        Warns where t is probably not in seconds: its median interval is longer than any pointer's. Raises
-        EventError for an array of another length or of what is no number.
+        Warns of t in milliseconds. Raises EventError for an array of another length or of no numbers.
         """
         time = _numbers(t, "t")
         if time.ndim != 1:
             raise EventError(f"t needs one number a row, received shape {time.shape}")
-        table = np.full((len(time), 6), np.nan)
-        table[:, 5] = 0.0
+        table = np.column_stack([np.full((len(time), 5), np.nan), np.zeros(len(time))])
         for column, values in enumerate((time, x, y, dx, dy, buttons)):
             if values is None:
                 continue
@@ -524,13 +519,7 @@ class EventColumns(Columns[PointerEvent]):
                     f"{cls.names[column]} needs {len(time)} rows as t has, received shape {numbers.shape}"
                 )
             table[:, column] = numbers
-        steps = np.diff(time)
-        forwards = steps[steps > 0]
-        if len(forwards) >= STEPS_LEAST and (middle := float(np.median(forwards))) > SLOW_S:
-            warnings.warn(
-                f"the median interval of t is {middle:g} s: t is in seconds, are these milliseconds?",
-                stacklevel=2,
-            )
+        warn_of_milliseconds(np.diff(time))
         return cls(table, begin)
 
     @classmethod

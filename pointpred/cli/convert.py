@@ -31,8 +31,9 @@ def convert(
 ) -> None:
     """Convert a recording to pointpred's own format, and list what was skipped and why.
 
-    Reads GoFitts, Balabit and SapiMouse, jsPsych, OpenSesame mousetrap, PsychoPy, evemu, evtest, libinput
-    record, hid-recorder, the Pointing Dynamics Dataset, its own Parquet and CSV, and any table of samples.
+    Reads GoFitts, Balabit and SapiMouse, jsPsych, rrweb, OpenSesame mousetrap, PsychoPy, pynput, evemu,
+    evtest, getevent, libinput record and debug-events, hid-recorder, the Pointing Dynamics Dataset, its own
+    Parquet and CSV, and any table of samples.
     The format is recognised by the file's content.
 
     Try:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from pointpred.cli.output_files import check_targets, write_json
+from pointpred.cli.output_files import Force, check_targets, write_json
 from pointpred.cli.reading_options import as_given, in_memory, to_read, with_reading
 from pointpred.cli.shared_options import ClusterAddress, Processes, Threads
 from pointpred.console import counted, plain, results, table
@@ -55,6 +55,7 @@ def train(
     json: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the scores as JSON; - for stdout.")
     ] = None,
+    force: Force = False,
     *,
     reading: Reading,
 ) -> None:
@@ -73,7 +74,7 @@ def train(
 
       pointpred score other.csv --predictors kinematic --coefficients me.npz
     """
-    check_targets({"--out": out, "--json": json}, files)
+    check_targets({"--out": out, "--json": json}, files, force)
     if str(out) == "-" or out.suffix != ".npz":
         message = f"--out must name a file that ends in .npz, received {out}"
         raise ParameterError(message, field="out", value=str(out))

@@ -13,7 +13,7 @@ from pointpred.recording import Recording
 from pointpred.recordings import Reading, format_of, read_any
 from tests.building import lines_file, text_file
 
-FAULTS = Path(__file__).parents[1] / "data" / "faults"
+FAULTS, SOURCES = (Path(__file__).parents[1] / "data" / name for name in ("faults", "sources"))
 
 
 def one(path: Path, reading: Reading | None = None) -> Recording:
@@ -54,20 +54,8 @@ def test_a_log_without_times_says_how_to_have_them(tmp_path: Path) -> None:
         one(lines_file(tmp_path / "log.txt", "Pointer moved to (1, 2)", "Pointer moved to (3, 4)"))
 
 
-DEBUG_EVENTS = """\
--event2   DEVICE_ADDED                Power Button                      seat0 default group1  cap:k
--event7   DEVICE_ADDED                Some Mouse                        seat0 default group2  cap:p left
--event7   POINTER_MOTION              +0.000s\t  1.00/  0.50 ( +2.00/ +1.00)
- event7   POINTER_MOTION            2 +0.008s\t  2.00/ -0.50 ( +4.00/ -1.00)
- event7   POINTER_BUTTON              +0.016s\tBTN_LEFT (272) pressed, seat count: 1
- event7   POINTER_SCROLL_WHEEL        +0.020s\tvert 15.00/120.0* horiz 0.00/0.0 (wheel)
- event7   POINTER_MOTION              +0.024s\t  3.00/  0.00 ( +6.00/ +0.00)
- event7   POINTER_BUTTON              +0.032s\tBTN_LEFT (272) released, seat count: 0
-"""
-
-
-def test_libinput_debug_events_have_px_and_counts(tmp_path: Path) -> None:
-    recording = one(text_file(tmp_path / "events.txt", DEBUG_EVENTS), Reading(cut="whole"))
+def test_libinput_debug_events_have_px_and_counts() -> None:
+    recording = one(SOURCES / "debug-events.txt", Reading(cut="whole"))
     rows = [
         [0.0, 1, 0.5, 2, 1, 0],
         [0.008, 3, 0, 4, -1, 0],
@@ -89,22 +77,7 @@ def test_debug_events_of_an_old_libinput_have_no_counts(tmp_path: Path) -> None:
     assert np.isnan(recording.events.dx).all()
 
 
-NAMED = """\
-add device 1: /dev/input/event3
-  name:     "Some Mouse"
-add device 2: /dev/input/event1
-  name:     "Keys"
-could not get driver version for /dev/input/mice, Not a typewriter
-[   12345.000000] /dev/input/event3: EV_REL       REL_X                00000003
-[   12345.000000] /dev/input/event3: EV_REL       REL_Y                ffffffff
-[   12345.000000] /dev/input/event3: EV_SYN       SYN_REPORT           00000000
-[   12345.004000] /dev/input/event1: EV_KEY       KEY_A                DOWN
-[   12345.004000] /dev/input/event1: EV_SYN       SYN_REPORT           00000000
-[   12345.008000] /dev/input/event3: EV_KEY       BTN_MOUSE            DOWN
-[   12345.008000] /dev/input/event3: EV_SYN       SYN_REPORT           00000000
-[   12345.016000] /dev/input/event3: EV_REL       REL_X                fffffffe
-[   12345.016000] /dev/input/event3: EV_SYN       SYN_REPORT           00000000
-"""
+NAMED = (SOURCES / "getevent.txt").read_text(encoding="utf-8")
 PLAIN = """\
 [   12345.000000] 0002 0000 00000003
 [   12345.000000] 0002 0001 ffffffff

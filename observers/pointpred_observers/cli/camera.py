@@ -101,6 +101,7 @@ def run(
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
     json: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JSON; - for stdout.")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace files that exist.")] = False,
 ) -> None:
     """Estimate depth and velocity: the unknown input observer, and a Kalman filter that uses the image.
 
@@ -114,7 +115,7 @@ def run(
 
       pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
     """
-    check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth])
+    check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth], force)
     from pointpred_observers.cli.camera_files import errors_of, read_samples, read_truth
     from pointpred_observers.cli.camera_tables import show, summary
 
