@@ -108,7 +108,7 @@ def _guess_named(path: Path) -> Iterator[None]:
         yield
     except RecordingError as error:
         with suppress(RecordingError, OSError):
-            if guess := encoding_of(path).note:
+            if path.is_file() and (guess := encoding_of(path).note):
                 error.args = (f"{error}; {guess}; --encoding names another, such as gb18030",)
         raise
 

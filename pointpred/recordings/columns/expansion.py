@@ -22,6 +22,7 @@ from pointpred.recordings.columns.names import guess
 from pointpred.recordings.columns.sample_rows import join_columns
 from pointpred.recordings.nested_records import open_cells
 from pointpred.recordings.reading import KEYS, NEEDED, Reading
+from pointpred.records import BoolTable
 
 NUMBERED = re.compile(r"(.*?\D)[\s_.-]?(\d+)")
 """The name of a column for one sample: of what, and which."""
@@ -111,13 +112,12 @@ def _of_samples(columns: dict[str, Any]) -> dict[str, Any]:
     joined: dict[str, Any] = {}
     for some in {places[title] for title in alike}:
         group = [title for title in alike if places[title] == some]
-        filled = np.array(
-            [[[bool(cell and cell.strip()) for cell in one] for one in cells[t]] for t in group]
-        )
-        last = [max(np.flatnonzero(row), default=-1) for row in filled.any(axis=0).T]
+        filled = [[[bool(cell and cell.strip()) for cell in one] for one in cells[title]] for title in group]
+        samples: BoolTable = np.logical_or.reduce(np.array(filled)).T
+        ends = [int(np.flatnonzero(row).max(initial=-1)) + 1 for row in samples]
         for title in group:
             rows = zip(*cells[title], strict=True)
-            joined[title] = [list(row[: end + 1]) for row, end in zip(rows, last, strict=True)]
+            joined[title] = [list(row[:end]) for row, end in zip(rows, ends, strict=True)]
     used = {name for title in alike for name in series[title].values()}
     return {name: column for name, column in columns.items() if name not in used} | joined
 
