@@ -70,6 +70,12 @@ def test_libinput_debug_events_have_px_and_counts() -> None:
     assert "events without motion or button left aside: 1" in recording.notes
 
 
+def test_debug_events_of_a_device_that_comes_again_are_another_stream(tmp_path: Path) -> None:
+    text = (SOURCES / "debug-events.txt").read_text(encoding="utf-8")
+    recording = one(text_file(tmp_path / "twice.txt", text + text), Reading(cut="whole"))
+    np.testing.assert_array_equal(recording.rows(0).table, recording.rows(1).table)
+
+
 def test_debug_events_of_an_old_libinput_have_no_counts(tmp_path: Path) -> None:
     lines = [f" event5   POINTER_MOTION  +{at / 100:.2f}s\t  1.00/  2.00" for at in range(4)]
     recording = one(lines_file(tmp_path / "events.txt", *lines))

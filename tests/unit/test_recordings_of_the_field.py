@@ -37,6 +37,13 @@ def test_a_line_that_names_no_device_refuses_the_file(tmp_path: Path) -> None:
         one(text_file(tmp_path / "named.hid", text))
 
 
+def test_a_second_descriptor_in_hid_recorder_begins_another_device(tmp_path: Path) -> None:
+    text = (FAULTS.parent / "sources" / "hid-recorder.txt").read_text(encoding="utf-8")
+    recording = one(text_file(tmp_path / "twice.txt", text + text))
+    assert [trial.trial for trial in recording.trials] == ["0 0", "1 0"]
+    np.testing.assert_array_equal(recording.rows(0).table, recording.rows(1).table)
+
+
 MOVES = [
     f"E: {at // 10}.{at % 10}00000 0002 0000 {at + 1}\nE: {at // 10}.{at % 10}00000 0000 0000 0"
     for at in range(4)

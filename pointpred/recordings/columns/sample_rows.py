@@ -18,11 +18,10 @@ from pointpred.recordings.arrow_tables import IntArray
 from pointpred.recordings.columns.names import parts_of_study
 from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.reading import Cut, Reading
-from pointpred.recordings.segmentation import PAUSE_S, cut
+from pointpred.recordings.segmentation import PAUSE_S, Groups
 from pointpred.recordings.trials import (
     TARGET,
     Codes,
-    assemble,
     codes_of,
     conditions_of,
     in_order,
@@ -58,16 +57,6 @@ class Rows(msgspec.Struct):
             self.faults.setdefault(row, f"{called} is {cell!r}, expected {expected}")
 
 
-class Groups(msgspec.Struct):
-    """Trial of each row (-1: none), user and name of each trial, notes on left-out rows and assumptions."""
-
-    group: IntArray
-    keys: list[tuple[str, str]]
-    conditions: list[dict[str, str | float]]
-    skipped: list[Skip] = []
-    notes: list[str] = []
-
-
 def recording_of_rows(
     path: Path,
     rows: Rows,
@@ -97,10 +86,7 @@ def recording_of_rows(
     else:
         groups = _cut(rows, table, users, one_user, reading)
     members = np.flatnonzero(groups.group >= 0)
-    group, table = groups.group[members], table[members]
-    first = np.full(len(groups.keys), np.nan)
-    first[group[::-1]] = table[::-1, 0]
-    table[:, 0] = (table[:, 0] - first[group]) / rows.per_second
+    group = groups.group[members]
     sizes = len(groups.keys)
     targets = [
         one_value(rows.values[field][members], group, sizes)
@@ -128,26 +114,21 @@ def recording_of_rows(
     ]
     if varying:
         groups.notes.append(f"columns left aside, for they vary within a trial: {', '.join(varying)}")
-    faulty = np.array(sorted(rows.faults), dtype=np.int64)
-    faulty = faulty[groups.group[faulty] >= 0]
-    return assemble(
+    return groups.recording(
         stem_of(path),
         table,
-        group,
         trials,
-        skipped=(*skipped, *groups.skipped),
-        faults={
-            int(at): rows.faults[int(row)]
-            for at, row in zip(np.searchsorted(members, faulty), faulty, strict=True)
-        },
+        rows.per_second,
+        row_of=rows.row_of,
+        faults=rows.faults,
+        skipped=skipped,
         unusable={
             int(index): f"target_w is {targets[-1][index]}, expected above 0 px"
             for index in np.flatnonzero(targets[-1] <= 0)
         },
         provenance=provenance,
-        row_of=rows.row_of[members],
         sort=reading.sort or "trial" not in keys,  # a stream was cut where its time starts anew
-        notes=(*notes, *groups.notes),
+        notes=notes,
     )
 
 
@@ -183,7 +164,7 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
     if users is not None:
         codes, names = codes_of(users.fill_null(""))
     usable = np.isfinite(table[:, :3]).all(axis=1)
-    groups = Groups(np.full(rows.count, -1, dtype=np.int64), [], [])
+    groups = Groups(np.full(rows.count, -1, dtype=np.int64))
     methods: dict[str, int] = {}
     restarts = 0
     for code, user in enumerate(names):
@@ -200,7 +181,8 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
         methods[how] = methods.get(how, 0) + 1
         named = user or one_user
         for part in parts:
-            _cut_part(groups, rows, mine[part], EventColumns(events[part]), how, named, reading)
+            stream = EventColumns(events[part])
+            groups.add_stream(mine[part], stream, how, reading, rows.row_of, named, of=named)
     if users is None:
         groups.notes.append(f"one user, {one_user!r}: no column for users")
     cuts = " or ".join(CUTS[method] for method in methods)
@@ -214,22 +196,6 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
         why = rows.faults.get(row, "t, x or y is empty or too large")
         groups.notes.append(f"rows left out: {out}, the first is data row {rows.row_of[row]}: {why}")
     return groups
-
-
-def _cut_part(
-    groups: Groups, rows: Rows, mine: IntArray, events: EventColumns, how: Cut, user: str, reading: Reading
-) -> None:
-    """Cut the rows ``mine`` and add their trials and skips."""
-    for piece in cut(events, how, reading):
-        some = mine[piece.start : piece.stop]
-        first, last = int(rows.row_of[some[0]]), int(rows.row_of[some[-1]])
-        if piece.reason:
-            groups.skipped.append(Skip(f"rows {first} to {last}", piece.reason, first, user))
-            continue
-        groups.group[some] = len(groups.keys)
-        number = sum(1 for key in groups.keys if key[0] == user)
-        groups.keys.append((user, str(number)))
-        groups.conditions.append({"begins_s": float(events.t[piece.start])})
 
 
 def _method(events: FloatArray, parts: Sequence[NDArray[np.int64]]) -> Cut:

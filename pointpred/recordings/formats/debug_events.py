@@ -48,7 +48,8 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     Positions are the sums of the accelerated motion, in px; counts are the motion before acceleration, in the
     device's units, where the line has it. Other events are counted in notes. Raises RecordingError.
     """
-    devices: dict[str, _Device] = {}
+    devices: list[_Device] = []
+    nodes: dict[str, _Device] = {}
     unreadable = UnreadableLines()
     row = -1
     for number, line in enumerate(read_text(path).splitlines(), 1):
@@ -59,7 +60,10 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
             continue
         row += 1
         node, kind, stamp, about = match.groups()
-        device = devices.setdefault(node, _Device(node))
+        if node not in nodes or (kind == "DEVICE_ADDED" and nodes[node].table):
+            nodes[node] = _Device(node)
+            devices.append(nodes[node])
+        device = nodes[node]
         motion, button = MOTION.match(about), BUTTON.match(about)
         if kind == "DEVICE_ADDED":
             device.name = re.split(r"\s{2,}", about.strip())[0]
@@ -78,7 +82,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
             unreadable.add("events that cannot be read", number, line)
         else:
             device.others += 1
-    streams = [(device.name, _frames(device)) for device in devices.values()]
+    streams = [(device.name, _frames(device)) for device in devices]
     clock = "s since the start, of libinput's events"
     return recording_of_devices(path, "libinput-debug-events", streams, unreadable, reading, clock, "px")
 

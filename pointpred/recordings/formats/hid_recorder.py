@@ -48,12 +48,16 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     and counted in notes; devices without relative x and y are named in a note.
     Raises RecordingError, naming the line of a descriptor that cannot be read.
     """
-    devices: dict[int, _Device] = {}
+    devices: list[_Device] = []
+    numbers: dict[int, _Device] = {}
     current, row = 0, 0
     unreadable = UnreadableLines()
     for number, line in enumerate(read_text(path).splitlines(), 1):
-        device = devices.setdefault(current, _Device())
         letter, _, rest = (part.strip() for part in line.partition(":"))
+        if current not in numbers or (letter == "R" and numbers[current].events):
+            numbers[current] = _Device()  # the number of a device in another recording, too
+            devices.append(numbers[current])
+        device = numbers[current]
         if letter == "D":
             if not re.fullmatch(r"\d{1,3}", rest):
                 raise RecordingError(f"{path}: line {number} is {line[:60]!r}, expected D: and a number")
@@ -69,9 +73,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
             row += 1
         elif line.strip() and letter != "I" and line[0] != "#":
             unreadable.add("lines that are neither R:, N:, I:, E: nor D:", number, line)
-    streams = [
-        (device.name, _frames(device)) for device in devices.values() if device.name or device.descriptor
-    ]
+    streams = [(device.name, _frames(device)) for device in devices if device.name or device.descriptor]
     return recording_of_devices(path, "hid-recorder", streams, unreadable, reading, CLOCK)
 
 
