@@ -193,6 +193,8 @@ def test_pairs_in_a_cell_are_named_by_their_place(tmp_path: Path, cell: str) -> 
 def test_the_pairs_of_the_field_are_read() -> None:
     recording = one(FAULTS / "pair_in_a_cell.csv", Reading(columns={"t": "t_ms", "x": "pos.0", "y": "pos.1"}))
     assert len(recording.events) == 60
+    with pytest.raises(ColumnsError, match=r"no column for x, y; .* --columns t=t_ms,x=pos.0,y=pos.1"):
+        one(FAULTS / "pair_in_a_cell.csv")
 
 
 def wide(names: tuple[str, str, str], samples: int) -> list[str]:

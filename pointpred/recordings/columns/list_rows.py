@@ -46,6 +46,14 @@ def holds_lists(column: Any) -> bool:
     return bool(cells) and is_list(cells[0]) and any(map(_is_long, cells))
 
 
+def holds_pairs(column: Any) -> bool:
+    """Whether the first cells of a column are lists of two numbers each."""
+    cells = [items_of(cell) for cell in column.slice(0, PROBE).to_pylist() if cell]
+    return bool(cells) and all(
+        len(items) == 2 and not np.isnan([*map(_number, items)]).any() for items in cells
+    )
+
+
 def _is_long(cell: str) -> bool:
     """Whether a cell is certainly a list: in brackets, or of more than two items."""
     return is_list(cell) and (cell.rstrip()[-1] in CLOSING or len(split(cell)) >= LEAST_ITEMS)

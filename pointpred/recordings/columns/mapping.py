@@ -16,6 +16,7 @@ from pointpred.recordings.columns.clocks import (
     is_numbers,
     units_of,
 )
+from pointpred.recordings.columns.list_rows import holds_pairs
 from pointpred.recordings.columns.names import (
     Guess,
     guess,
@@ -148,6 +149,9 @@ def _refusal(
 ) -> ColumnsError:
     free = [name for name in names if name not in best.values()]
     likely = {field: name for field, name in similar_names(free).items() if field not in best} | dict(best)
+    pairs = [name for name in free if holds_pairs(cells(name))]
+    if len(pairs) == 1 and not {"x", "y"} & likely.keys():
+        likely |= {"x": f"{pairs[0]}.0", "y": f"{pairs[0]}.1"}
     if not likely and list(names[:3]) == ["0", "1", "2"]:  # no header
         likely = _by_place(names, cells)
     missing = {field: "COLUMN" for field in NEEDED if field not in likely}
@@ -156,8 +160,8 @@ def _refusal(
         _possible_units(likely["t"], cells, explicit) if "t" in likely else [explicit] if explicit else None
     )
     unit = fitting[0] if fitting and len(fitting) == 1 else None
-    pairs = likely | missing
-    command = command_for(path, pairs) if fitting is None else _command(path, pairs, fitting)
+    known = likely | missing
+    command = command_for(path, known) if fitting is None else _command(path, known, fitting)
     return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
 
 

@@ -162,7 +162,7 @@ class FrameBuilder:
             return f"{what} in {self.count} events, expected REL_X or REL_Y in a complete frame"
         notes = [f"frames without motion or button left aside: {self.aside}"] if self.aside else []
         if self.released:
-            notes.append(f"buttons taken as released after SYN_DROPPED: {self.released} times")
+            notes.append(f"buttons taken as released after SYN_DROPPED: {self.released}")
         if self._useful:
             notes.append(f"the last frame, from event {self._begins}, is not complete and left aside")
         return frames_of_counts(self.table, self.rows, notes, self.faults)
