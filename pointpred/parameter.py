@@ -20,7 +20,7 @@ from pointpred.errors import ParameterError
 
 REQUIRED: Any = ...
 """The default of a parameter that has none."""
-SLOW_S, FEW = 1.5, 3
+SLOW_S, FEW = 2.0, 3
 """The longest median interval of a pointer, judged by at least so many."""
 
 

@@ -59,5 +59,7 @@ def convert(
         screen_out.print(f"skipped {count}: {reason}", markup=False)
     for note in summary.notes:
         screen_out.print(note, markup=False)
+    if any(reason.startswith("time goes backwards") for reason in summary.skipped):
+        screen_out.print("--sort keeps such trials: it sorts their samples by time", markup=False)
     if not summary.trials:
         raise RecordingError(f"{source}: no trial could be read; see the reasons above")

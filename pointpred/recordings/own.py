@@ -26,6 +26,7 @@ from pointpred.recordings.trials import (
     codes_of,
     condition_cells,
     keys_of,
+    questions,
 )
 from pointpred.records import FloatArray
 
@@ -105,7 +106,8 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
         sort=reading.sort,
     )
     slow = [] if header.provenance or reading.time_unit else _too_slow(recording)
-    return msgspec.structs.replace(recording, notes=(*recording.notes, *slow))
+    asked = [] if header.provenance else questions(recording)
+    return msgspec.structs.replace(recording, notes=(*recording.notes, *slow, *asked))
 
 
 def _seconds(column: Any, unit: str, group: IntArray) -> FloatArray:

@@ -18,7 +18,7 @@ from pointpred.recordings.known_formats import FORMATS, Format, advice_on, forma
 from pointpred.recordings.own import is_samples, samples_beside, trials_beside
 from pointpred.recordings.reading import AS_IS, Reading, TimeUnit
 from pointpred.recordings.stored import StoredRecording, stored
-from pointpred.recordings.trials import join
+from pointpred.recordings.trials import join, questions
 
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")
@@ -118,7 +118,7 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     recording = form.read(path, reading)
     if form.key not in OWN and not form.binary and (note := encoding_of(path).note):
         recording = msgspec.structs.replace(recording, notes=(note, *recording.notes))
-    notes = []
+    notes = [] if form.key == "own" else questions(recording)
     if reading.encoding is not None and form.binary:
         notes.append(f"encoding has no effect: {form.title} is no text")
     if reading.cut is not None and not form.streams:

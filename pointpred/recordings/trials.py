@@ -60,10 +60,9 @@ def assemble(
     the reason and the first row at fault, when it has fewer than two samples, a cell that is not a finite
     number (``faults``: row -> fault) or beyond the bounds of events, one count without the other, time that
     runs backwards, buttons that are not a whole number in 0..65535, or no movement at all. ``unusable`` names
-    further trials with the caller's reason. Equal times are normal, but a note names trials that have only
-    one, and one asks where positions and targets seem mirrored. ``row_of`` is the file's row of each table
-    row if the two differ. Every trial is either in the recording or in its ``skipped``. Memory: two copies of
-    the table at most.
+    further trials with the caller's reason. Equal times are normal. ``row_of`` is the file's row of each
+    table row if the two differ. Every trial is either in the recording or in its ``skipped``. Memory: two
+    copies of the table at most.
     """
     count = len(trials)
     sizes = np.bincount(group, minlength=count).astype(np.int64)
@@ -100,7 +99,6 @@ def assemble(
     begin = np.zeros(len(table), dtype=np.bool_)
     begin[offsets[:-1]] = True
     kept = tuple(trial for trial, keep in zip(trials, usable, strict=True) if keep)
-    words += [*_one_time(table, offsets, kept), *_mirrored(table, offsets, kept)]
     return Recording(
         name,
         EventColumns(table, begin),
@@ -187,33 +185,32 @@ def _sorted_trials(table: FloatArray, offsets: IntArray, sort: bool) -> tuple[Fl
     return table, Order(order, order[:0], np.concatenate(late))
 
 
-def _one_time(table: FloatArray, offsets: IntArray, trials: Sequence[Trial]) -> list[str]:
-    """A note on trials whose samples all have one time."""
-    if not len(table):
+def questions(recording: Recording) -> list[str]:
+    """What to ask of a recording that pointpred did not write: trials with one time, mirrored targets."""
+    if not recording.trials:
         return []
-    spans = table[offsets[1:] - 1, T] - table[offsets[:-1], T]
-    one = np.flatnonzero(spans == 0)
-    if not len(one):
-        return []
-    named = f"{trials[one[0]].trial!r} of {trials[one[0]].user!r}"
-    return [f"trials whose samples all have one time: {len(one)}, the first is {named}: is it their time?"]
-
-
-def _mirrored(table: FloatArray, offsets: IntArray, trials: Sequence[Trial]) -> list[str]:
-    """A question for each axis along which movements end the lower the higher their targets are."""
-    notes = []
+    first, ends = (
+        recording.events.table[recording.offsets[:-1]],
+        recording.events.table[recording.offsets[1:] - 1],
+    )
+    asked = []
+    one = np.flatnonzero(ends[:, T] == first[:, T])
+    if len(one):
+        trial = recording.trials[one[0]]
+        named = f"{len(one)}, the first is {trial.trial!r} of {trial.user!r}"
+        asked.append(f"trials whose samples all have one time: {named}: is it their time?")
     for axis, column in (("x", X), ("y", Y)):
-        targets = np.array([getattr(trial, f"target_{axis}") for trial in trials])
+        targets = np.array([getattr(trial, f"target_{axis}") for trial in recording.trials])
         known = np.isfinite(targets)
-        pairs = np.array([targets[known], table[offsets[1:] - 1, column][known]])
+        pairs = np.array([targets[known], ends[known, column]])
         if pairs.shape[1] < MIRRORED_LEAST or not np.ptp(pairs, axis=1).all():
             continue
         if np.corrcoef(pairs)[0, 1] < MIRRORED:
-            notes.append(
+            asked.append(
                 f"the larger target_{axis} is, the smaller is {axis} where movements end: "
                 "are positions and targets counted from opposite sides?"
             )
-    return notes
+    return asked
 
 
 def _first_return(group: IntArray) -> int:

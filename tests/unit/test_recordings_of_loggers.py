@@ -228,6 +228,13 @@ def test_a_wrong_cell_of_a_wide_table_costs_its_trial(tmp_path: Path) -> None:
     assert [skip.reason for skip in recording.skipped] == ["sample 0: 'soon' is not a number"]
 
 
+def test_columns_given_by_their_places_stay_in_them(tmp_path: Path) -> None:
+    lines = [",".join(["when", "across", "down", *[f"{name}{at}" for name in "abc" for at in range(5)]])]
+    lines += [",".join([str(16 * at), str(at), "1", *["7"] * 15]) for at in range(9)]
+    recording = one(lines_file(tmp_path / "places.csv", *lines), Reading(columns={"t": 0, "x": 1, "y": 2}))
+    assert recording.events.x.tolist() == list(range(9))
+
+
 def test_numbered_columns_beside_times_and_positions_stay_conditions(tmp_path: Path) -> None:
     answers = ",".join(f"{name}{at}" for name in "abc" for at in range(5))
     rows = [f"{16 * at},{at},{at},{','.join(['7'] * 15)}" for at in range(9)]

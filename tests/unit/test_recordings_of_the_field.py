@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -156,6 +158,19 @@ def test_reasons_of_one_kind_are_one_line_with_the_first(tmp_path: Path) -> None
     assert summary.skipped == {kind: 3}
     same = [Skip("1", "no movement"), Skip("2", "no movement")]
     assert [(reason, len(skips)) for reason, skips in kinds_of(same)] == [("no movement", 2)]
+
+
+def test_the_command_says_how_to_keep_trials_that_are_out_of_order(
+    command: Callable[..., Any], tmp_path: Path
+) -> None:
+    rows = ["1,0,0,0", "1,50,1,1", "1,9,2,2", *[f"8,{row[2:]}" for row in ROWS[:20]]]
+    path, out = lines_file(tmp_path / "back.csv", "trial,t_ms,x,y", *rows), tmp_path / "out.csv"
+    left = command("convert", path, "--out", out)
+    assert "skipped 1: time goes backwards, from 0.05 s to 0.009 s" in left.err
+    assert "--sort keeps such trials" in left.err
+    left = command("convert", path, "--out", out, "--force", "--sort")
+    assert "kept 2 trials" in left.err
+    assert "--sort" not in left.err
 
 
 def test_a_trial_that_has_one_time_only_is_a_note(tmp_path: Path) -> None:

@@ -42,7 +42,8 @@ def expand(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
     for name, parts in parts_of(path, list(columns), reading).items():
         some = [as_arrow(columns[part]) for part in parts]
         columns[name] = (join_columns if name in (explicit.get(key) for key in KEYS) else _sum)(some)
-    if not all(explicit.get(field) in columns for field in NEEDED):
+    named = [explicit.get(field, "") for field in NEEDED]
+    if not all(name in columns or name.isdecimal() for name in named):
         columns = _of_samples(columns)
     return msgspec.structs.replace(table, columns=columns, notes=(*table.notes, *damage))
 

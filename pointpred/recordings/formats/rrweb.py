@@ -36,7 +36,7 @@ def recognises_further(path: Path, head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """The columns t (ms since 1970), x, y and buttons, in the order of time: positions are saved in batches.
+    """The columns t_ms (since 1970), x, y and buttons, in the order of time: positions are saved in batches.
 
     Which button was pressed is not saved; it counts as the primary one. Raises RecordingError.
     """
@@ -62,7 +62,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
         held = held if row[3] is None else int(row[3])
         buttons.append(held)
     t, x, y, _ = map(list, zip(*rows, strict=True))
-    columns = {"t": t, "x": x, "y": y} | ({"buttons": buttons} if any(buttons) else {})
+    columns = {"t_ms": t, "x": x, "y": y} | ({"buttons": buttons} if any(buttons) else {})
     return ColumnTable(columns, TITLE, tuple(notes))
 
 
