@@ -59,14 +59,20 @@ class Frames(msgspec.Struct):
     notes: list[str]
 
 
-def devices_of_text(
-    path: Path, events: Callable[[str, UnreadableLines], Iterable[DeviceEvent]], unreadable: UnreadableLines
-) -> list[tuple[str, Frames | str]]:
-    """The name and the frames of each device of a text, whose raw events ``events`` extracts."""
+def text_recording(
+    path: Path,
+    form: str,
+    events: Callable[[str, UnreadableLines], Iterable[DeviceEvent]],
+    reading: Reading,
+    clock: str,
+) -> Recording:
+    """The recording of the devices of a text, whose raw events ``events`` extracts; raises RecordingError."""
+    unreadable = UnreadableLines()
     builders: dict[tuple[int, str], FrameBuilder] = {}
     for row, (device, event) in enumerate(events(read_text(path), unreadable)):
         builders.setdefault(device, FrameBuilder(path)).add(row, event)
-    return [(name or stem_of(path), builder.finish()) for (_, name), builder in builders.items()]
+    devices = [(name or stem_of(path), builder.finish()) for (_, name), builder in builders.items()]
+    return recording_of_devices(path, form, devices, unreadable, reading, clock)
 
 
 def recording_of_devices(

@@ -10,8 +10,7 @@ from pointpred.recording import Recording
 from pointpred.recordings.formats.evdev_frames import (
     DeviceEvent,
     UnreadableLines,
-    devices_of_text,
-    recording_of_devices,
+    text_recording,
 )
 from pointpred.recordings.reading import AS_IS, Reading
 
@@ -34,10 +33,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 
     A line N: begins another device. Raises RecordingError.
     """
-    unreadable = UnreadableLines()
-    devices = devices_of_text(path, _events, unreadable)
-    clock = "kernel stamps, us; which clock is not said"
-    return recording_of_devices(path, "evemu", devices, unreadable, reading, clock)
+    return text_recording(path, "evemu", _events, reading, "kernel stamps, us; which clock is not said")
 
 
 def _events(text: str, unreadable: UnreadableLines) -> Iterator[DeviceEvent]:

@@ -14,8 +14,7 @@ from pointpred.recordings.formats.evdev_frames import (
     SYN_REPORT,
     DeviceEvent,
     UnreadableLines,
-    devices_of_text,
-    recording_of_devices,
+    text_recording,
 )
 from pointpred.recordings.reading import AS_IS, Reading
 
@@ -42,10 +41,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 
     A header with a name begins another device. Raises RecordingError.
     """
-    unreadable = UnreadableLines()
-    devices = devices_of_text(path, _events, unreadable)
-    clock = "kernel stamps, us, usually the real-time clock"
-    return recording_of_devices(path, "evtest", devices, unreadable, reading, clock)
+    return text_recording(path, "evtest", _events, reading, "kernel stamps, us, usually the real-time clock")
 
 
 def _events(text: str, unreadable: UnreadableLines) -> Iterator[DeviceEvent]:

@@ -18,8 +18,7 @@ from pointpred.recordings.formats.evdev_frames import (
     SYN_REPORT,
     DeviceEvent,
     UnreadableLines,
-    devices_of_text,
-    recording_of_devices,
+    text_recording,
 )
 from pointpred.recordings.reading import AS_IS, Reading
 
@@ -59,10 +58,9 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 
     Events without times, written without ``-t``, are left aside. Raises RecordingError.
     """
-    unreadable = UnreadableLines()
-    devices = devices_of_text(path, _events, unreadable)
-    clock = "kernel stamps, us since the start of the system"
-    return recording_of_devices(path, "getevent", devices, unreadable, reading, clock)
+    return text_recording(
+        path, "getevent", _events, reading, "kernel stamps, us since the start of the system"
+    )
 
 
 def _events(text: str, unreadable: UnreadableLines) -> Iterator[DeviceEvent]:
