@@ -20,8 +20,8 @@ from pointpred.errors import ParameterError
 
 REQUIRED: Any = ...
 """The default of a parameter that has none."""
-SLOW_S, FEW = 2.0, 3
-"""The longest median interval of a pointer, judged by at least so many."""
+SLOW_S, SLOWEST_MS, FEW = 2.0, 500.0, 3
+"""The longest median interval of a pointer in s, and in ms, judged by at least so many."""
 
 
 def is_number(value: object) -> bool:
@@ -30,10 +30,10 @@ def is_number(value: object) -> bool:
 
 
 def warn_of_milliseconds(steps: Any) -> None:
-    """Warn where the median step forwards of a clock, an array in s, is longer than any pointer's."""
+    """Warn where the median step forwards of a clock, an array in s, is one of a pointer in ms."""
     forwards = steps[steps > 0]
     middle = float(np.median(forwards)) if len(forwards) >= FEW else 0.0
-    if middle > SLOW_S:
+    if SLOW_S < middle <= SLOWEST_MS:
         words = f"the median interval of t is {middle:g} s: t is in seconds, are these milliseconds?"
         warnings.warn(words, stacklevel=3)
 
