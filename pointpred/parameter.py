@@ -9,6 +9,7 @@ The declaration gives the default, the check, the order in the memory, ``describ
 from __future__ import annotations
 
 import inspect
+import warnings
 from collections.abc import Mapping
 from typing import Any
 
@@ -19,11 +20,22 @@ from pointpred.errors import ParameterError
 
 REQUIRED: Any = ...
 """The default of a parameter that has none."""
+SLOW_S, SLOWEST_MS, FEW = 2.0, 500.0, 3
+"""The longest median interval of a pointer in s, and in ms, judged by at least so many."""
 
 
 def is_number(value: object) -> bool:
     """Whether a value is a number by its kind: no word that reads like one, no truth value."""
     return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+
+
+def warn_of_milliseconds(steps: Any) -> None:
+    """Warn where the median step forwards of a clock, an array in s, is one of a pointer in ms."""
+    forwards = steps[steps > 0]
+    middle = float(np.median(forwards)) if len(forwards) >= FEW else 0.0
+    if SLOW_S < middle <= SLOWEST_MS:
+        words = f"the median interval of t is {middle:g} s: t is in seconds, are these milliseconds?"
+        warnings.warn(words, stacklevel=3)
 
 
 class Parameter(msgspec.Struct, frozen=True):

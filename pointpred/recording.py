@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 
 import msgspec
 import numpy as np
@@ -12,6 +13,8 @@ from pointpred.errors import RecordingError
 from pointpred.records import EventColumns
 
 UNKNOWN = float("nan")
+DETAIL = re.compile(r"""'[^']*'|"[^"]*"|[+-]?\b\d[\d.]*(e[+-]?\d+)?\b""")
+"""What differs between reasons of one kind: numbers and quoted words."""
 
 
 class Trial(msgspec.Struct, frozen=True):
@@ -37,6 +40,25 @@ class Skip(msgspec.Struct, frozen=True):
     reason: str
     row: int | None = None
     user: str | None = None
+
+    @property
+    def place(self) -> str:
+        """Where it was, in words."""
+        row = "" if self.row is None else f", data row {self.row} (counted from 0)"
+        return f"trial {self.trial}" + ("" if self.user is None else f" of {self.user}") + row
+
+
+def kinds_of(skips: Iterable[Skip]) -> list[tuple[str, list[Skip]]]:
+    """Skips by the kind of their reason, the most frequent first; reasons of a kind differ in details only.
+
+    >>> kinds_of([Skip("1", "4 cells, expected 3"), Skip("2", "5 cells, expected 3")])[0][0]
+    '... cells, expected ...'
+    """
+    kinds: dict[str, list[Skip]] = {}
+    for skip in skips:
+        kinds.setdefault(DETAIL.sub("...", skip.reason), []).append(skip)
+    often = sorted(kinds.items(), key=lambda kind: -len(kind[1]))
+    return [(some[0].reason if len({s.reason for s in some}) == 1 else kind, some) for kind, some in often]
 
 
 class Provenance(msgspec.Struct, frozen=True):

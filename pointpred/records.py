@@ -33,7 +33,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError
-from pointpred.parameter import is_number
+from pointpred.parameter import is_number, warn_of_milliseconds
 from pointpred.regions import Region, probability, region_of
 
 FloatArray = NDArray[np.float64]
@@ -504,13 +504,12 @@ class EventColumns(Columns[PointerEvent]):
     ) -> Self:
         """Columns from one array a field, all of the same length; what is missing is ``None`` or 0.
 
-        Raises EventError for an array of another length or of what is no number.
+        Warns of t in milliseconds. Raises EventError for an array of another length or of no numbers.
         """
         time = _numbers(t, "t")
         if time.ndim != 1:
             raise EventError(f"t needs one number a row, received shape {time.shape}")
-        table = np.full((len(time), 6), np.nan)
-        table[:, 5] = 0.0
+        table = np.column_stack([np.full((len(time), 5), np.nan), np.zeros(len(time))])
         for column, values in enumerate((time, x, y, dx, dy, buttons)):
             if values is None:
                 continue
@@ -520,6 +519,7 @@ class EventColumns(Columns[PointerEvent]):
                     f"{cls.names[column]} needs {len(time)} rows as t has, received shape {numbers.shape}"
                 )
             table[:, column] = numbers
+        warn_of_milliseconds(np.diff(time))
         return cls(table, begin)
 
     @classmethod

@@ -273,7 +273,7 @@ def _scored(
 ) -> tuple[float, float, bool]:
     """Seconds, peak memory in MB, and whether ``pointpred score`` on two threads was killed on the way."""
     command = [sys.executable, "-m", "pointpred", "score", str(path), "--predictors", name, "--threads", "2"]
-    command += ["--checkpoints", str(out), "--json", str(out.with_suffix(".json"))]
+    command += ["--checkpoints", str(out), "--json", str(out.with_suffix(".json")), "--force"]
     start = time.perf_counter()
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
     if killed_after_s is not None:

@@ -276,7 +276,7 @@ def test_results_replace_no_plant_and_no_design_but_older_results(command: Comma
     refused(command, 2, "--json", "audit", design, "--json", plant)
     assert plant.read_bytes() == before
     for _ in range(2):
-        assert command("observers", "audit", design, "--json", result).code == 0
+        assert command("observers", "audit", design, "--json", result, "--force").code == 0
 
 
 def test_what_is_written_takes_its_place_when_it_is_whole(

@@ -29,8 +29,9 @@ def convert(
 ) -> None:
     """Convert a recording to pointpred's own format, and list what was skipped and why.
 
-    Reads GoFitts, Balabit and SapiMouse, jsPsych, OpenSesame mousetrap, PsychoPy, evemu, evtest, libinput
-    record, hid-recorder, the Pointing Dynamics Dataset, its own Parquet and CSV, and any table of samples.
+    Reads GoFitts, Balabit and SapiMouse, jsPsych, rrweb, OpenSesame mousetrap, PsychoPy, pynput, evemu,
+    evtest, getevent, libinput record and debug-events, hid-recorder, the Pointing Dynamics Dataset, its own
+    Parquet and CSV, and any table of samples.
     The format is recognised by the file's content.
 
     Try:
@@ -56,5 +57,7 @@ def convert(
         screen_out.print(f"skipped {count}: {reason}", markup=False)
     for note in summary.notes:
         screen_out.print(note, markup=False)
+    if any(reason.startswith("time goes backwards") for reason in summary.skipped):
+        screen_out.print("--sort keeps such trials: it sorts their samples by time", markup=False)
     if not summary.trials:
         raise RecordingError(f"{source}: no trial could be read; see the reasons above")

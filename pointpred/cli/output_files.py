@@ -63,12 +63,12 @@ def check_target(target: Path | None) -> None:
         raise ParameterError(f"cannot write {target}: {error.strerror}; name another file") from error
 
 
-def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> None:
+def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path], force: bool) -> None:
     """Raise ParameterError where a result could not be written, or would replace what must stay.
 
     That is: what the command reads (``inputs``, the trials beside samples, links to either), a recording,
-    with ``--json`` a plant or a design, or another result. ``targets`` by the option that names them.
-    ``--force`` changes nothing of it.
+    with ``--json`` a plant or a design, or another result, whatever ``force`` says; without it, any file.
+    ``targets`` by the option that names them.
     """
     from pointpred.recordings.own import trials_beside
 
@@ -90,14 +90,15 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path]) -> No
             raise ParameterError(f"{option} {target} would replace a recording; name another file")
         if option == "--json" and target.is_file() and _is_plant_or_design(target):
             raise ParameterError(f"{option} {target} would replace a plant or a design; name another file")
+        check_free(target, force, option)
 
 
-def check_free(target: Path | None, force: bool, option: str = "--out") -> None:
+def check_free(target: Path, force: bool, option: str = "--out") -> None:
     """Raise ParameterError where a file exists and --force was not given.
 
     ``option``: the one that names another file. Whether it can be written, ``check_targets`` says.
     """
-    if target is not None and target.exists() and not force:
+    if target.is_file() and not force:
         raise ParameterError(f"{target} exists: choose another {option}, or --force to replace it")
 
 

@@ -28,7 +28,7 @@ import typer
 from pointpred.cli.options import option, with_options
 from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, PointpredError, RecordingError
-from pointpred.recording import Recording
+from pointpred.recording import Recording, kinds_of
 from pointpred.recordings.reading import AS_IS, Reading, columns_of, px_per_unit_of
 
 if TYPE_CHECKING:
@@ -277,6 +277,12 @@ def speed_of(text: str) -> float:
 
 
 def print_skipped(skips: tuple[Any, ...]) -> None:
-    """Say which trials are left out, and why."""
-    for skip in skips:
-        remarks().print(f"left out: {skip.user}-{skip.trial} {skip.reason}", style="red", markup=False)
+    """Say which trials are left out, and why; those of one kind in one line."""
+    for kind, some in kinds_of(skips):
+        first = f"{some[0].user}-{some[0].trial}"
+        words = (
+            f"left out: {first} {kind}"
+            if len(some) == 1
+            else f"left out {len(some)}: {kind} (first: {first})"
+        )
+        remarks().print(words, style="red", markup=False)

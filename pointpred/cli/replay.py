@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from msgspec import structs
 
-from pointpred.cli.output_files import Numbers, check_target, write_json
+from pointpred.cli.output_files import Force, Numbers, check_targets, write_json
 from pointpred.cli.reading_options import (
     SPEED,
     TRIAL,
@@ -68,6 +68,7 @@ def replay(
     token: Annotated[
         str | None, typer.Option(envvar="POINTPRED_TOKEN", help="The service's token, if it needs one.")
     ] = None,
+    force: Force = False,
     cpi: float | None = None,
     dpi: float | None = None,
     *,
@@ -93,7 +94,7 @@ def replay(
     own = named_file(coefficients)
     if own is not None:
         with_coefficients([predictor], own[1])
-    check_target(json)
+    check_targets({"--json": json}, [] if file is None else [file], force)
     recording = one_recording(file, reading)
     names = trial or []
     if devtools is not None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from pointpred.cli.output_files import Force, Numbers, check_free, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, check_targets, write_json
 from pointpred.console import remark, remarks, results, table
 from pointpred.errors import ParameterError
 from pointpred.extras import require
@@ -96,8 +96,7 @@ def _target(entry: Entry, out: Path | None, data: Path | None, json: Path | None
     target = None if entry.is_table else out or Path(entry.file_name)
     if target is not None and target.suffix != ".svg":
         raise ParameterError(f"--out must name a file that ends in .svg, received {target}")
-    check_targets({"--out": target, "--json": json}, [] if data is None else [data])
-    check_free(target, force)
+    check_targets({"--out": target, "--json": json}, [] if data is None else [data], force)
     return target
 
 

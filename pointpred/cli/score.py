@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pointpred.cli.output_files import Numbers, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, check_targets, write_json
 from pointpred.cli.reading_options import (
     Reasons,
     as_given,
@@ -82,6 +82,7 @@ def score(
         ),
     ] = None,
     coefficients: Coefficients = None,
+    force: Force = False,
     cpi: float | None = None,
     dpi: float | None = None,
     *,
@@ -106,7 +107,7 @@ def score(
       pointpred score million_samples.parquet --predictors switched --checkpoints done --cluster local
     """
     names = predictor_names(predictors)
-    check_targets({"--json": json, "--report": report}, files or ())
+    check_targets({"--json": json, "--report": report}, files or (), force)
     parameters = with_coefficients(names, coefficients)
     reasons: Reasons = {}
     if report is not None:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from rich.table import Table
 
 from pointpred.console import NARROW, counted, remark, results, table
-from pointpred.recording import Skip
+from pointpred.recording import Skip, kinds_of
 from pointpred.scoring import HEADINGS, about_targets, footnotes, rows
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.summary import SetSummary
@@ -97,14 +96,10 @@ def _remarks(one: SetSummary) -> Iterator[str]:
     for skip in filter(_is_file, one.skipped):
         yield f"not read: {skip.reason}"
     skipped = [skip for skip in one.skipped if not _is_file(skip)]
-    reasons = Counter(skip.reason for skip in skipped)
-    frequent = reasons.most_common(REASONS_SHOWN)
-    for reason, count in frequent:
-        first = next(skip for skip in skipped if skip.reason == reason)
-        row = "" if first.row is None else f", data row {first.row} (counted from 0)"
-        user = "" if first.user is None else f" of {first.user}"
-        yield f"skipped {count}: {reason} (first: trial {first.trial}{user}{row})"
-    rest = reasons.total() - sum(count for _, count in frequent)
+    kinds = kinds_of(skipped)
+    for kind, some in kinds[:REASONS_SHOWN]:
+        yield f"skipped {len(some)}: {kind} (first: {some[0].place})"
+    rest = sum(len(some) for _, some in kinds[REASONS_SHOWN:])
     if rest:
         yield f"skipped {rest} more for other reasons; --json lists each"
     for predictor in one.predictors:

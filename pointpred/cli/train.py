@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from pointpred.cli.output_files import Numbers, Seed, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, Seed, check_targets, write_json
 from pointpred.cli.reading_options import as_given, in_memory, to_read, with_reading
 from pointpred.cli.shared_options import ClusterAddress, Threads
 from pointpred.console import counted, plain, results, table
@@ -48,6 +48,7 @@ def train(
     threads: Threads = None,
     cluster: ClusterAddress = None,
     json: Numbers = None,
+    force: Force = False,
     *,
     reading: Reading,
 ) -> None:
@@ -66,7 +67,7 @@ def train(
 
       pointpred score other.csv --predictors kinematic --coefficients me.npz
     """
-    check_targets({"--out": out, "--json": json}, files)
+    check_targets({"--out": out, "--json": json}, files, force)
     if str(out) == "-" or out.suffix != ".npz":
         message = f"--out must name a file that ends in .npz, received {out}"
         raise ParameterError(message, field="out", value=str(out))

@@ -152,7 +152,6 @@ class FrameDecoder:
         self.buttons, self._ask = buttons, ask
         self.resynchronised = self.unreadable = self.aside = 0
         self._rest = b""
-        self._fine = False  # the wheel reports high-resolution steps: whole steps would count twice
         self._begin()
 
     def _begin(self) -> None:
@@ -197,9 +196,9 @@ class FrameDecoder:
             elif code == REL_HWHEEL:
                 self._sideways += value
             elif code == REL_WHEEL_HI_RES:
-                self._parts, self._fine = self._parts + value, True
+                self._parts += value
             elif code == REL_HWHEEL_HI_RES:
-                self._sideways_parts, self._fine = self._sideways_parts + value, True
+                self._sideways_parts += value
 
     def _end(self, stamp_us: int) -> EvdevFrame | None:
         """The frame that SYN_REPORT ends, if it has pointer events."""
@@ -210,8 +209,9 @@ class FrameDecoder:
             self.buttons = self.buttons if asked is None else asked
             frame = EvdevFrame(stamp_us, 0, 0, self.buttons, 0.0, 0.0)
         elif self._useful and not self._void:
-            wheel = self._parts / STEP if self._fine else float(self._steps)
-            pan = self._sideways_parts / STEP if self._fine else float(self._sideways)
+            # A whole step beside high-resolution ones of its axis would count twice.
+            wheel = self._parts / STEP if self._parts else float(self._steps)
+            pan = self._sideways_parts / STEP if self._sideways_parts else float(self._sideways)
             frame = EvdevFrame(stamp_us, self._dx, self._dy, self.buttons, wheel, pan)
         elif not self._void:
             self.aside += 1

@@ -88,6 +88,7 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
         provenance=provenance,
         notes=(*notes, *more),
         row_of=rows,
+        sort=reading.sort,
     )
 
 

@@ -264,15 +264,15 @@ def parse_csv(
     separator: str = ",",
     *,
     skip: int = 0,
-    odd: dict[int, int] | None = None,
+    odd: dict[int, tuple[int, str]] | None = None,
 ) -> Any:
     """The rows below ``skip`` lines of the open ``file``, named ``path`` in messages: every CSV is read here.
 
     Without ``odd`` the first row names the columns. They have the named Arrow ``types``, or are all strings
     if a cell is not of its type; an empty cell is null. A row that is cut or too long is an error with its
     number as ``value``. With ``odd`` the columns are named as ``types`` are, and an empty cell is an empty
-    string. Rows that are cut or too long are left out, and the number of their cells is added to ``odd`` by
-    their row. Raises RecordingError.
+    string. Rows that are cut or too long are left out, and the number of their cells and their text are added
+    to ``odd`` by their row. Raises RecordingError.
     """
     rows, named = in_memory(file), odd is not None
     wrong: list[Any] = []
@@ -317,7 +317,7 @@ def parse_csv(
             value=number,
         ) from error
     if odd is not None:
-        odd |= {row.number - 1 - skip: row.actual_columns for row in wrong}
+        odd |= {row.number - 1 - skip: (row.actual_columns, row.text) for row in wrong}
     return table
 
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
 
-from pointpred.recording import Recording
+from pointpred.recording import Recording, kinds_of
 from pointpred.recordings.read_files import read_any, readable
 from pointpred.recordings.reading import AS_IS, Reading
 from pointpred.recordings.writing import check_free, files_of, write_parts, write_together
@@ -20,7 +19,10 @@ RESERVED = re.compile(r"^(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])(?=\.|$)
 
 
 class Summary(msgspec.Struct, frozen=True):
-    """The result of a conversion: files written, trials and users kept, trials skipped by reason, notes."""
+    """The result of a conversion: files written, trials and users kept, how many were skipped, notes.
+
+    ``skipped`` counts them by the kind of reason, which names the first of several.
+    """
 
     files: tuple[str, ...]
     trials: int
@@ -60,7 +62,10 @@ def write_recordings(parts: list[Recording], path_out: str | Path, *, replace: b
         sum(len(recording.trials) for recording in parts),
         len({(recording.name, trial.user) for recording in parts for trial in recording.trials}),
         sum(len(recording.events) for recording in parts),
-        dict(Counter(skip.reason for recording in parts for skip in recording.skipped)),
+        {
+            kind if len(skips) == 1 else f"{kind} (first: {skips[0].place})": len(skips)
+            for kind, skips in kinds_of(skip for recording in parts for skip in recording.skipped)
+        },
         tuple(note for recording in parts for note in recording.notes),
     )
 

@@ -1,4 +1,4 @@
-"""Files as text in any encoding: gzip, UTF-8, UTF-16 or Windows-1252, any line ends."""
+"""Files as text in any encoding: gzip, UTF-8, UTF-16, Windows-1252 or a named one, any line ends."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import re
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
+from itertools import chain
 from pathlib import Path
 from typing import BinaryIO, TextIO, cast
 
@@ -30,6 +32,8 @@ UNDEFINED = re.compile(rb"[\x81\x8d\x8f\x90\x9d]")
 CONTROL_BYTES, UNDEFINED_BYTES = (
     bytes(byte for byte in range(256) if pattern.match(bytes([byte]))) for pattern in (CONTROLS, UNDEFINED)
 )
+_named: ContextVar[str | None] = ContextVar("encoding", default=None)
+"""What ``text_in`` says."""
 DAMAGED = (gzip.BadGzipFile, EOFError, zlib.error)
 
 
@@ -59,12 +63,25 @@ class Encoding(msgspec.Struct, frozen=True):
         return f"byte {self.odd} is not UTF-8: the file is read as {title}"
 
 
+@contextmanager
+def text_in(encoding: str | None) -> Iterator[None]:
+    """Read every text within as of this encoding, of whatever is detected where it is ``None``."""
+    before = _named.set(encoding)
+    try:
+        yield
+    finally:
+        _named.reset(before)
+
+
 def encoding_of(path: Path) -> Encoding:
     """The encoding of a whole text file; memory is one block for any unpacked size.
 
     UTF-16 is detected by its mark. Text that is not UTF-8 is Windows-1252, or Latin-1 if a byte is undefined
-    in that. Raises RecordingError for a binary file, a damaged gzip file and more than 2 GiB after unpacking.
+    in that. Raises RecordingError for a binary file, a damaged gzip file, more than 2 GiB after unpacking,
+    and text that is not in the encoding of ``text_in``.
     """
+    if (named := _named.get()) is not None:
+        return _in_named(path, named)
     decoder = codecs.getincrementaldecoder("utf-8")()
     place, odd, control, returns, feeds, undefined = 0, -1, -1, False, False, False
     with open_unpacked(path) as file:
@@ -91,6 +108,22 @@ def encoding_of(path: Path) -> Encoding:
     if control >= 0:
         raise _binary(path, control, "is a control character")
     return Encoding("latin-1" if undefined else "cp1252", packed, returns and not feeds, odd)
+
+
+def _in_named(path: Path, name: str) -> Encoding:
+    """The encoding that was named, where the whole file can be decoded by it; raises RecordingError."""
+    decoder = codecs.getincrementaldecoder(name)()
+    place, returns, feeds = 0, False, False
+    with open_unpacked(path) as file:
+        packed = _is_packed(file)
+        for block in chain(_blocks(path, file), [b""]):
+            odd = _odd(decoder, block, place)
+            if odd >= 0:
+                raise RecordingError(f"{path}: byte {odd} is not {name}", code="not_text", value=odd)
+            returns, feeds = returns or b"\r" in block, feeds or b"\n" in block
+            place += len(block)
+    utf_8 = codecs.lookup(name).name == "utf-8"
+    return Encoding("utf-8-sig" if utf_8 else name, packed, returns and not feeds)
 
 
 @contextmanager
@@ -162,7 +195,11 @@ def head_of(path: Path, most: int = HEAD_BYTES) -> bytes:
         head = file.read(most)
     if not head:
         raise RecordingError(f"{path}: the file is empty, expected a recording", code="empty_file")
-    if head.startswith(UTF_16):
+    named = _named.get()
+    if named is not None:
+        if _odd(codecs.getincrementaldecoder(named)(), head, 0) < 0:
+            head = head.decode(named, "ignore").encode("utf-8", "ignore")
+    elif head.startswith(UTF_16):
         head = head.decode("utf-16", "ignore").encode("utf-8", "ignore")
     elif _odd(codecs.getincrementaldecoder("utf-8")(), head, 0) >= 0 and not CONTROLS.search(head):
         head = head.decode("latin-1" if UNDEFINED.search(head) else "cp1252").encode()
@@ -224,7 +261,7 @@ def _has(block: bytes, some: bytes) -> bool:
 
 
 def _odd(decoder: codecs.IncrementalDecoder, block: bytes, place: int) -> int:
-    """The first byte that is not UTF-8, else -1; an empty block ends the file."""
+    """The first byte that cannot be decoded, else -1; an empty block ends the file."""
     waiting = len(decoder.getstate()[0])
     try:
         decoder.decode(block, final=not block)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
@@ -12,12 +13,14 @@ from pointpred.recording import Recording
 from pointpred.recordings import appended, arrow_tables, own
 from pointpred.recordings.arrow_tables import ColumnTable
 from pointpred.recordings.columns.table_recording import recording_of_table
-from pointpred.recordings.encodings import head_of
+from pointpred.recordings.encodings import head_of, text_in
 from pointpred.recordings.formats import (
     balabit,
+    debug_events,
     delimited,
     evemu,
     evtest,
+    getevent,
     gofitts,
     hid_recorder,
     json_records,
@@ -28,6 +31,8 @@ from pointpred.recordings.formats import (
     parquet,
     pointing_dynamics,
     psychopy,
+    pynput,
+    rrweb,
     xdf,
     xlsx,
 )
@@ -85,6 +90,15 @@ def table_format(
     return Format(key, title, recognises, recording, streams=True, tabular=True, binary=binary)
 
 
+def _log(key: str, module: Any, **more: Any) -> Format:
+    """A format of streams whose rows are read as those of a table, under the names t, x, y and buttons."""
+
+    def recording(path: Path, reading: Reading) -> Recording:
+        return recording_of_table(path, module.read(path, reading), reading)
+
+    return Format(key, module.TITLE, module.recognises, recording, streams=True, **more)
+
+
 def _is_own(head: bytes) -> bool:
     """Whether a text that begins with ``head`` is one of pointpred's own."""
     first = head.split(b"\n", 1)[0]
@@ -133,6 +147,12 @@ FORMATS: tuple[Format, ...] = (
     Format("evtest", evtest.TITLE, evtest.recognises, evtest.read, streams=True),
     Format("hid-recorder", hid_recorder.TITLE, hid_recorder.recognises, hid_recorder.read, streams=True),
     Format("evemu", evemu.TITLE, evemu.recognises, evemu.read, streams=True),
+    Format("getevent", getevent.TITLE, getevent.recognises, getevent.read, streams=True),
+    Format(
+        "libinput-debug-events", debug_events.TITLE, debug_events.recognises, debug_events.read, streams=True
+    ),
+    _log("pynput", pynput),
+    _log("rrweb", rrweb, recognises_further=rrweb.recognises_further),
     table_format("matlab", matlab.TITLE, matlab.recognises, matlab.read, binary=True),
     table_format("xlsx", xlsx.TITLE, xlsx.recognises, xlsx.read, binary=True),
     table_format("xdf", xdf.TITLE, xdf.recognises, xdf.read, binary=True),
@@ -150,6 +170,12 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     """
     if path.exists() and not path.is_file():
         raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")
+    with text_in(reading.encoding):
+        return _format_of(path, reading)
+
+
+def _format_of(path: Path, reading: Reading) -> Format | None:
+    """The format of a file that can be read twice."""
     head = head_of(path)
     as_table = reading.columns is not None or reading.records is not None
     formats = sorted(FORMATS, key=lambda form: not form.tabular) if as_table else FORMATS

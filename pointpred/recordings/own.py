@@ -26,6 +26,7 @@ from pointpred.recordings.trials import (
     codes_of,
     condition_cells,
     keys_of,
+    questions,
 )
 from pointpred.records import FloatArray
 
@@ -102,9 +103,11 @@ def read(path: str | Path, trials: str | Path | None = None, reading: Reading = 
         unusable=about_trials.unusable,
         provenance=header.provenance or Provenance("parquet" if path.suffix == ".parquet" else "csv"),
         notes=(*header.notes, *notes, *about_trials.notes),
+        sort=reading.sort,
     )
     slow = [] if header.provenance or reading.time_unit else _too_slow(recording)
-    return msgspec.structs.replace(recording, notes=(*recording.notes, *slow))
+    asked = [] if header.provenance else questions(recording)
+    return msgspec.structs.replace(recording, notes=(*recording.notes, *slow, *asked))
 
 
 def _seconds(column: Any, unit: str, group: IntArray) -> FloatArray:

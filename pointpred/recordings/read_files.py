@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
 from os.path import commonpath
 from pathlib import Path
 
@@ -12,12 +13,12 @@ import msgspec
 from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
 from pointpred.recording import Recording, Skip
 from pointpred.recordings.addresses import address_in, local_copy
-from pointpred.recordings.encodings import encoding_of, head_of
+from pointpred.recordings.encodings import encoding_of, head_of, text_in
 from pointpred.recordings.known_formats import FORMATS, Format, advice_on, format_of
 from pointpred.recordings.own import is_samples, samples_beside, trials_beside
 from pointpred.recordings.reading import AS_IS, Reading, TimeUnit
 from pointpred.recordings.stored import StoredRecording, stored
-from pointpred.recordings.trials import join
+from pointpred.recordings.trials import join, questions
 
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")
@@ -60,7 +61,8 @@ def read_any(
     reading = msgspec.structs.replace(
         reading, **{name: value for name, value in unused.items() if value is not None}
     )
-    parts = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
+    with text_in(reading.encoding):
+        parts = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
     return [readable_recording(recording) for recording in parts]
 
 
@@ -89,13 +91,26 @@ def _here(path: str | Path) -> Path:
 
 def _file(path: Path, reading: Reading) -> Recording:
     """The recording in one file."""
-    form = format_of(path, reading)
-    if form is None:
-        if advice := advice_on(head_of(path)):
-            raise RecordingError(f"{path}: {advice}", code="unknown_format")
-        tried = ", ".join(form.title for form in FORMATS)
-        raise RecordingError(f"{path}: no known recording format; tried {tried}", code="unknown_format")
-    return _read(form, path, reading)
+    with _guess_named(path):
+        form = format_of(path, reading)
+        if form is None:
+            if advice := advice_on(head_of(path)):
+                raise RecordingError(f"{path}: {advice}", code="unknown_format")
+            tried = ", ".join(form.title for form in FORMATS)
+            raise RecordingError(f"{path}: no known recording format; tried {tried}", code="unknown_format")
+        return _read(form, path, reading)
+
+
+@contextmanager
+def _guess_named(path: Path) -> Iterator[None]:
+    """Name the encoding of a file in a refusal of it, where that is a guess."""
+    try:
+        yield
+    except RecordingError as error:
+        with suppress(RecordingError, OSError):
+            if path.is_file() and (guess := encoding_of(path).note):
+                error.args = (f"{error}; {guess}; --encoding names another, such as gb18030",)
+        raise
 
 
 def _read(form: Format, path: Path, reading: Reading) -> Recording:
@@ -103,7 +118,9 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     recording = form.read(path, reading)
     if form.key not in OWN and not form.binary and (note := encoding_of(path).note):
         recording = msgspec.structs.replace(recording, notes=(note, *recording.notes))
-    notes = []
+    notes = [] if form.key == "own" else questions(recording)
+    if reading.encoding is not None and form.binary:
+        notes.append(f"encoding has no effect: {form.title} is no text")
     if reading.cut is not None and not form.streams:
         notes.append(f"cut {reading.cut!r} has no effect: {form.title} has trials of its own")
     if reading.records is not None and form.key in ONE_TABLE:
@@ -134,13 +151,14 @@ def _folder(path: Path, reading: Reading, progress: Progress | None) -> list[Rec
         if samples_beside(file):
             continue
         try:
-            form = format_of(file, reading)
-            if form is None:
+            with _guess_named(file):
+                form = format_of(file, reading)
+                recording = None if form is None else _read(form, file, reading)
+            if form is None or recording is None:
                 notes.append(f"{label} fits no recording format")
             elif form.key in OWN:
-                own.append(_with_label(_read(form, file, reading), label))
+                own.append(_with_label(recording, label))
             else:
-                recording = _read(form, file, reading)
                 foreign.setdefault(form.key, []).append((file, recording))
         except ColumnsError as error:
             notes.append(f"{label} is not read: {error}")

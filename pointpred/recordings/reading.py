@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 from pathlib import Path
 from typing import Annotated, Literal, get_args
@@ -16,6 +17,8 @@ TimeUnit = Literal["s", "ms", "us", "ns", "iso"]
 FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "target_w", "dx", "dy")
 """The fields to which columns of a table can be mapped."""
 NEEDED = ("t", "x", "y")
+KEYS = ("user", "trial")
+"""The fields that several columns may name together, as ``block+trial``; others may be their sum."""
 
 
 def told(meaning: str, *, table: bool = False, metavar: str | None = None) -> msgspec.Meta:
@@ -34,7 +37,8 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
 
     For any table: ``columns`` names, for some of ``FIELDS``, the column that holds it, by its name or by its
     place counted from 0; other fields are guessed from the usual names, or unknown if t, x and y are all
-    named.
+    named. Columns joined by + name a user or a trial together, and are added up for any other field;
+    ``pos.0`` is the first of several numbers in the cells of ``pos``.
     """
 
     cut: Annotated[
@@ -66,6 +70,16 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
     records: Annotated[
         str | None, told("Path to the rows in nested JSON, such as data.trials.", table=True)
     ] = None
+    encoding: Annotated[
+        str | None,
+        told(
+            "Encoding of the text, as gb18030 or shift_jis; not given: UTF-8, else Windows-1252.",
+            metavar="NAME",
+        ),
+    ] = None
+    sort: Annotated[
+        bool, told("Sort the samples of each trial or stream by time, however late they are.")
+    ] = False
     target: Annotated[str | None, told("Selector of the element that is the goal, as '#left' (jsPsych).")] = (
         None
     )
@@ -83,6 +97,7 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
                 self.cpi is None or CPI[0] <= self.cpi <= CPI[1],
                 f"in [{CPI[0]:g}, {CPI[1]:g}] counts per inch",
             ),
+            ("encoding", _is_encoding(self.encoding), "the name of an encoding, as gb18030"),
             ("time_unit", self.time_unit in (None, *get_args(TimeUnit)), "s, ms, us, ns or iso"),
             (
                 "px_per_unit",
@@ -101,6 +116,17 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
         """Pixels in a unit across and down; 1 where ``px_per_unit`` does not say it."""
         px = 1.0 if self.px_per_unit is None else self.px_per_unit
         return px if isinstance(px, tuple) else (px, px)
+
+
+def _is_encoding(name: str | None) -> bool:
+    """Whether Python knows an encoding of text of this name."""
+    try:
+        if name is not None:
+            codecs.getincrementaldecoder(name)
+            "".encode(name)
+    except (LookupError, ValueError):
+        return False
+    return True
 
 
 def columns_of(text: str) -> dict[str, str | int]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -33,6 +33,10 @@ BRACKETS = OPENING + CLOSING
 MARKS = (";", "|", ",")
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CALL = re.compile(r"^(?:(?:np\.|numpy\.)?array|c|list)\s*(?=[\[(])")
+LATE_S, LATE_ROWS, LATE_SHARE = 0.1, 3, 0.1
+"""Bounds on samples slightly out of order: how late, how many one after the other, their share of all."""
+MIRRORED_LEAST, MIRRORED = 8, -0.8
+"""With so many targets, and a smaller correlation with where movements end, one of the two is mirrored."""
 
 
 def assemble(
@@ -47,33 +51,40 @@ def assemble(
     provenance: Provenance = IN_MEMORY,
     notes: Sequence[str] = (),
     row_of: IntArray | None = None,
+    sort: bool = False,
 ) -> Recording:
     """A recording from event rows, row ``i`` of which belongs to ``trials[group[i]]``.
 
-    Assumes that the rows of one trial are in the order of their time; rows of several trials may interleave:
-    they are regrouped, with a note. A trial is skipped, with the reason and the first row at fault, when it
-    has fewer than two samples, a cell that is not a finite number (``faults``: row -> fault) or beyond the
-    bounds of events, one count without the other, time that runs backwards, buttons that are not a whole
-    number in 0..65535, or no movement at all. ``unusable`` names further trials with the caller's reason.
-    Equal times are normal. ``row_of`` is the file's row of each table row if the two differ. Every trial is
-    either in the recording or in its ``skipped``. Memory: two copies of the table at most.
+    Rows of several trials may interleave: they are regrouped, with a note. Rows of a trial that are slightly
+    out of order (``in_order``), with ``sort`` any, are sorted by time, with a note. A trial is skipped, with
+    the reason and the first row at fault, when it has fewer than two samples, a cell that is not a finite
+    number (``faults``: row -> fault) or beyond the bounds of events, one count without the other, time that
+    runs backwards, buttons that are not a whole number in 0..65535, or no movement at all. ``unusable`` names
+    further trials with the caller's reason. Equal times are normal. ``row_of`` is the file's row of each
+    table row if the two differ. Every trial is either in the recording or in its ``skipped``. Memory: two
+    copies of the table at most.
     """
     count = len(trials)
     sizes = np.bincount(group, minlength=count).astype(np.int64)
     offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
     row = np.arange(len(group), dtype=np.int64) if row_of is None else row_of
-    fault_rows = np.array(sorted(faults or {}), dtype=np.int64)
     words = list(notes)
+    order: IntArray = np.arange(len(group), dtype=np.int64)
     if np.any(np.diff(group) < 0):
         runs = 1 + np.count_nonzero(np.diff(group))
         if runs > np.count_nonzero(sizes):
             at = _first_return(group)
             words.append(f"row {row[at]}: the rows of trials interleave; put together by trial")
         order = np.argsort(group, kind="stable")
-        table, row = table[order], row[order]
-        place = np.empty(len(order), dtype=np.int64)
-        place[order] = np.arange(len(order))
-        faults = {int(place[at]): (faults or {})[int(at)] for at in fault_rows}
+        table = table[order]
+    table, late = _sorted_trials(table, offsets, sort)
+    if late is not None:
+        words += late.notes(row[order])
+        order = order[late.order]
+    row = row[order]
+    if faults:
+        place = np.argsort(order)
+        faults = {int(place[at]): fault for at, fault in faults.items()}
     reasons = _find_faults(table, offsets, faults or {})
     for index, reason in (unusable or {}).items():
         reasons.setdefault(index, (reason, int(offsets[index]) if sizes[index] else None))
@@ -87,15 +98,119 @@ def assemble(
         offsets = np.concatenate([[0], np.cumsum(sizes[usable])]).astype(np.int64)
     begin = np.zeros(len(table), dtype=np.bool_)
     begin[offsets[:-1]] = True
+    kept = tuple(trial for trial, keep in zip(trials, usable, strict=True) if keep)
     return Recording(
         name,
         EventColumns(table, begin),
         offsets,
-        tuple(trial for trial, keep in zip(trials, usable, strict=True) if keep),
+        kept,
         (*skipped, *skips),
         provenance,
         tuple(words),
     )
+
+
+class Order(NamedTuple):
+    """Samples by time: their ``order``, the places in it where time starts anew, and the late samples."""
+
+    order: IntArray
+    anew: IntArray
+    late: IntArray
+
+    def notes(self, row: IntArray) -> list[str]:
+        """A note on the late samples; ``row``: the file's row of each sample."""
+        if not len(self.late):
+            return []
+        first = int(row[self.late[0]])
+        return [f"rows out of order, sorted by time: {len(self.late)}, the first is row {first}"]
+
+
+def in_order(times: FloatArray, sort: bool = False) -> Order:
+    """The order of samples by time where some are slightly late, and where time starts anew.
+
+    Samples are slightly late if at most 3 in a row lie before a sample above them, by at most 0.1 s, and if
+    they are at most a tenth of all; at any other step backwards time starts anew, with ``sort`` at none.
+
+    >>> order, anew, late = in_order(np.array([0, 1, 3, 2, 4, 5, 6, 7, 8, 9, 0, 1, 2, 3, 4]) / 100)
+    >>> order[:5].tolist(), anew.tolist(), late.tolist()
+    ([0, 1, 3, 2, 4], [10], [3])
+    """
+    rows = np.arange(len(times), dtype=np.int64)
+    finite = np.flatnonzero(np.isfinite(times))
+    if len(finite) < len(times):  # the others keep their places
+        some = in_order(times[finite], sort)
+        rows[finite] = finite[some.order]
+        return Order(rows, finite[some.anew], finite[some.late])
+    back = np.flatnonzero(np.diff(times) < 0) + 1
+    starts: list[int] = []
+    seen, highest = 0, -np.inf
+    for at in () if sort else back.tolist():
+        if at < seen:
+            continue
+        highest = max(highest, float(times[seen:at].max()))
+        caught_up = np.flatnonzero(times[at : at + LATE_ROWS + 1] >= highest)
+        seen = at + int(caught_up[0]) if len(caught_up) else at
+        if seen == at or highest - times[at:seen].min() > LATE_S:
+            starts.append(at)
+            seen, highest = at, -np.inf
+    anew = np.array(starts, dtype=np.int64)
+    latest = np.concatenate([np.maximum.accumulate(part) for part in np.split(times, anew)])
+    late = np.flatnonzero(times < latest)
+    if len(late) > LATE_SHARE * len(times) and not sort:
+        return Order(rows, back, rows[:0])
+    return Order(np.lexsort((times, np.searchsorted(anew, rows, side="right"))), anew, late)
+
+
+def _sorted_trials(table: FloatArray, offsets: IntArray, sort: bool) -> tuple[FloatArray, Order | None]:
+    """The rows of all trials with each trial in order where it can be; ``None``: nothing was out of order.
+
+    A trial begins at the time at which its first row did.
+    """
+    back = np.diff(table[:, T], prepend=table[:1, T]) < 0
+    back[offsets[offsets < len(table)]] = False
+    order, late = np.arange(len(table), dtype=np.int64), []
+    for owner in np.unique(np.searchsorted(offsets, np.flatnonzero(back), side="right") - 1).tolist():
+        first, stop = int(offsets[owner]), int(offsets[owner + 1])
+        one = in_order(table[first:stop, T], sort)
+        if not len(one.anew):
+            order[first:stop] = first + one.order
+            late.append(first + one.late)
+    if not late:
+        return table, None
+    sizes = np.diff(offsets)
+    starts = offsets[:-1][sizes > 0]
+    begins, table = table[starts, T], table[order]
+    with np.errstate(invalid="ignore"):
+        table[:, T] += np.repeat(begins - table[starts, T], sizes[sizes > 0])
+    return table, Order(order, order[:0], np.concatenate(late))
+
+
+def questions(recording: Recording) -> list[str]:
+    """What to ask of a recording that pointpred did not write: trials with one time, mirrored targets."""
+    if not recording.trials:
+        return []
+    first, ends = (
+        recording.events.table[recording.offsets[:-1]],
+        recording.events.table[recording.offsets[1:] - 1],
+    )
+    asked = []
+    one = np.flatnonzero(ends[:, T] == first[:, T])
+    if len(one):
+        trial = recording.trials[one[0]]
+        named = f"{len(one)}, the first is {trial.trial!r} of {trial.user!r}"
+        asked.append(f"trials whose samples all have one time: {named}: is it their time?")
+    for axis, column in (("x", X), ("y", Y)):
+        targets = np.array([getattr(trial, f"target_{axis}") for trial in recording.trials])
+        known = np.isfinite(targets)
+        pairs = np.array([targets[known], ends[known, column]])
+        if pairs.shape[1] < MIRRORED_LEAST or not np.ptp(pairs, axis=1).all():
+            continue
+        if np.corrcoef(pairs)[0, 1] < MIRRORED:
+            asked.append(
+                f"the larger target_{axis} is, the smaller is {axis} where movements end: "
+                "are positions and targets counted from opposite sides?"
+            )
+    return asked
 
 
 def _first_return(group: IntArray) -> int:
@@ -280,7 +395,8 @@ def is_list(cell: str) -> bool:
 class Lists:
     """Trials one after another, each from lists of text or numbers; unreadable ones become skips."""
 
-    def __init__(self) -> None:
+    def __init__(self, sort: bool = False) -> None:
+        self._sort = sort
         self.trials: list[Trial] = []
         self.tables: list[FloatArray] = []
         self.rows: list[int] = []
@@ -353,6 +469,7 @@ class Lists:
             provenance=provenance,
             notes=self.notes,
             row_of=np.repeat(np.array(self.rows, dtype=np.int64), sizes),
+            sort=self._sort,
         )
 
 

@@ -339,6 +339,7 @@ def test_killed_at_random_moments_it_goes_on_to_the_same_bytes(short: Recording,
             "2",
             "--json",
             tmp_path / f"{name}.json",
+            "--force",
         ]
         return [sys.executable, str(script), *map(str, arguments), "--checkpoints", str(tmp_path / name)]
 

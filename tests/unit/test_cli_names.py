@@ -53,7 +53,7 @@ def test_json_and_report_need_two_files_and_both_may_be_written_again(
     assert left.code == 2
     assert "--report and --json both name" in left.err
     for _ in range(2):
-        both = ("--json", out, "--report", tmp_path / "out.html")
+        both = ("--json", out, "--report", tmp_path / "out.html", "--force")
         assert command("score", good, "--predictors", "hold", *both).code == 0
 
 

@@ -75,7 +75,7 @@ def test_scores_on_what_was_learned_from_carry_a_warning(command, good: Path, tm
     left = command("score", known, "--predictors", "kinematic", "--report", page)
     assert warning in left.out
     assert warning in page.read_text()
-    left = command("score", good, "--predictors", "kinematic", "--report", page)
+    left = command("score", good, "--predictors", "kinematic", "--report", page, "--force")
     assert "too good" not in left.out + page.read_text()
     (one,) = json.loads(command("score", known, "--predictors", "kinematic", "--json", "-").out)["sets"]
     assert [predictor["seen"] for predictor in one["predictors"]] == [False, True]

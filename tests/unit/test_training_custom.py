@@ -250,7 +250,8 @@ def test_the_command_trains_and_score_uses_what_it_wrote(
         assert f"{one[name]:.1f}" in left.out
     errors = []
     for options in ([], ["--coefficients", out]):
-        left = command("score", file, "--predictors", "kinematic,linear", *options, "--json", scored)
+        options += ["--json", scored, "--force"]
+        left = command("score", file, "--predictors", "kinematic,linear", *options)
         assert left.code == 0, left.err
         predictors = {p["name"]: p for p in json.loads(scored.read_text())["sets"][0]["predictors"]}
         errors.append({name: p["time_averaged"]["px"] for name, p in predictors.items()})

@@ -108,6 +108,7 @@ def run(
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
     json: Numbers = None,
+    force: Force = False,
 ) -> None:
     """Estimate depth and velocity: the unknown input observer, and a Kalman filter that uses the image.
 
@@ -121,7 +122,7 @@ def run(
 
       pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
     """
-    check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth])
+    check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth], force)
     from pointpred_observers.cli.camera_files import errors_of, read_samples, read_truth
     from pointpred_observers.cli.camera_tables import show, summary
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import Force, Numbers, Seed, check_free, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, Seed, check_targets, write_json
 from pointpred.cli.reading_options import check_exists
 from pointpred.console import remarks
 from pointpred.errors import ParameterError
@@ -64,8 +64,7 @@ def example(
     if out is None:
         typer.echo(text.decode(), nl=False)
         return
-    check_targets({"--out": out}, [])
-    check_free(out, force)
+    check_targets({"--out": out}, [], force)
     write_whole(out, text)
     typer.echo(out)
 
@@ -126,8 +125,8 @@ def design(
       pointpred observers design motor.json --observer full-order --decay 5 --out filter.json
     """
     target = out or plant.with_name(f"{plant.stem}_design.json")
-    check_targets({"--out": target, "--json": json}, [plant] if generator is None else [plant, generator])
-    check_free(target, force)
+    inputs = [plant] if generator is None else [plant, generator]
+    check_targets({"--out": target, "--json": json}, inputs, force)
     from pointpred_observers import load, save
     from pointpred_observers.cli.observer_designs import Wish, designed
     from pointpred_observers.cli.observer_tables import print_design, summary
@@ -152,7 +151,7 @@ def design(
 
 
 @app.command()
-def audit(design: DesignFile, json: Numbers = None) -> None:
+def audit(design: DesignFile, json: Numbers = None, force: Force = False) -> None:
     """Check every inequality and equality of a design again, from the matrices in its file.
 
     Prints how far each inequality holds, and the bound of the error that they prove. Exit code 1 if one
@@ -162,7 +161,7 @@ def audit(design: DesignFile, json: Numbers = None) -> None:
 
       pointpred observers audit motor_design.json
     """
-    check_targets({"--json": json}, [design])
+    check_targets({"--json": json}, [design], force)
     from pointpred_observers import audit as audited
     from pointpred_observers import load
     from pointpred_observers.cli.observer_tables import print_audit, summary
@@ -218,9 +217,7 @@ def simulate(
 
       pointpred observers simulate motor_design.json --start 0.5,0,0 --seconds 4 --out motor.csv
     """
-    check_targets({"--plot": plot, "--out": out, "--json": json}, [design])
-    for option, target in (("--plot", plot), ("--out", out)):
-        check_free(target, force, option)
+    check_targets({"--plot": plot, "--out": out, "--json": json}, [design], force)
     if plot is not None:
         from pointpred_observers.simulations.result import check_ending
 

@@ -55,7 +55,7 @@ def clock(column: Any, iso: bool = False) -> tuple[FloatArray, dict[int, str]]:
     """
     if iso:
         return _stamps(column)
-    whole = _whole(column)
+    whole = whole_numbers(column)
     if whole is not None:
         return _from_first(whole), {}
     numbers, faults = arrow_tables.finite_numbers(column)
@@ -76,7 +76,7 @@ def _from_first(whole: Any) -> FloatArray:
     return arrow_tables.float64(pc.cast(whole, pa.float64(), safe=False))
 
 
-def _whole(column: Any) -> Any:
+def whole_numbers(column: Any) -> Any:
     """A column of whole numbers as int64, nulls for empty cells; ``None`` if it contains others."""
     if pa.types.is_integer(column.type):
         return pc.cast(column, pa.int64())

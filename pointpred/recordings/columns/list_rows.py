@@ -12,6 +12,7 @@ import pyarrow as pa
 
 from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
 from pointpred.recordings import arrow_tables
+from pointpred.recordings.columns.buttons import pressed
 from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.trials import (
     CLOSING,
@@ -45,6 +46,14 @@ def holds_lists(column: Any) -> bool:
     return bool(cells) and is_list(cells[0]) and any(map(_is_long, cells))
 
 
+def holds_pairs(column: Any) -> bool:
+    """Whether the first cells of a column are lists of two numbers each."""
+    cells = [items_of(cell) for cell in column.slice(0, PROBE).to_pylist() if cell]
+    return bool(cells) and all(
+        len(items) == 2 and not np.isnan([*map(_number, items)]).any() for items in cells
+    )
+
+
 def _is_long(cell: str) -> bool:
     """Whether a cell is certainly a list: in brackets, or of more than two items."""
     return is_list(cell) and (cell.rstrip()[-1] in CLOSING or len(split(cell)) >= LEAST_ITEMS)
@@ -52,7 +61,7 @@ def _is_long(cell: str) -> bool:
 
 def steps_of(column: Any) -> Any:
     """The times of the first rows concatenated, to determine their unit."""
-    lists = [_items(cell) for cell in column.slice(0, PROBE).to_pylist()]
+    lists = [items_of(cell) for cell in column.slice(0, PROBE).to_pylist()]
     return np.array([_number(item) for items in lists for item in items])
 
 
@@ -67,6 +76,7 @@ def recording_of_lists(
     provenance: Provenance,
     skipped: Sequence[Skip],
     notes: Sequence[str],
+    sort: bool,
 ) -> Recording:
     """One trial per row: ``mapping`` names the columns; those in ``others`` become conditions.
 
@@ -77,7 +87,7 @@ def recording_of_lists(
     for field in TARGET:
         cells.setdefault(field, [UNKNOWN] * len(cells["t"]))
     conditions = {name: columns(name).to_pylist() for name in others if not holds_lists(columns(name))}
-    lists = Lists()
+    lists = Lists(sort)
     lists.skipped += skipped
     lists.notes += notes
     if "user" not in mapping:
@@ -90,7 +100,7 @@ def recording_of_lists(
     often = Counter(zip(users, trials, strict=True))
     empty = before = 0
     for row in range(count):
-        series = {field: _items(cells[field][row]) for field in SERIES if field in cells}
+        series = {field: items_of(cells[field][row]) for field in SERIES if field in cells}
         blank = _blank(series)
         before += blank
         series = {field: items[blank:] for field, items in series.items()}
@@ -125,7 +135,7 @@ def recording_of_lists(
     return lists.recording(stem_of(path), provenance)
 
 
-def _items(cell: Any) -> list[Any]:
+def items_of(cell: Any) -> list[Any]:
     """The items of a list cell or of its text; none if it is empty."""
     if not isinstance(cell, str):
         return [] if cell is None else list(cell) if isinstance(cell, list) else [cell]
@@ -152,9 +162,10 @@ def _from_first(times: Sequence[Any]) -> Sequence[Any]:
 
 def _buttons(series: dict[str, list[Any]]) -> list[float] | None:
     """The buttons of each sample; ``None`` if there are none, or not as many as times."""
-    pressed = [_number(item) for item in series.get("buttons", [])]
-    fits = len(pressed) == len(series["t"]) and all(value == value for value in pressed)
-    return pressed if pressed and fits else None
+    items = series.get("buttons", [])
+    values = [pressed(item) if isinstance(item, str) else _number(item) for item in items]
+    fits = len(values) == len(series["t"]) and all(value == value for value in values)
+    return values if values and fits else None
 
 
 def _word(cell: Any) -> str:

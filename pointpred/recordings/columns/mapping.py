@@ -16,17 +16,17 @@ from pointpred.recordings.columns.clocks import (
     is_numbers,
     units_of,
 )
+from pointpred.recordings.columns.list_rows import holds_pairs
 from pointpred.recordings.columns.names import (
     Guess,
     guess,
     similar_names,
     words_of,
 )
-from pointpred.recordings.reading import FIELDS, NEEDED, Reading
+from pointpred.recordings.reading import FIELDS, KEYS, NEEDED, Reading
 
-KEYS = ("user", "trial")
 JOIN = "+"
-"""Separator of columns that together name a user or a trial."""
+"""Separator of columns that together name a user or a trial, or are added up."""
 UNITS = ("s", "ms", "us", "ns", "iso")
 Cells = Callable[[str], Any]
 """The column of a name as an Arrow array."""
@@ -77,16 +77,14 @@ def mapping(
 
 
 def parts_of(path: Path, names: Sequence[str], reading: Reading) -> dict[str, list[str]]:
-    """The columns that ``reading`` joins for user or trial, by text such as ``block+trial``.
+    """The columns that ``reading`` joins or adds up, by text such as ``block+trial``.
 
     A column with that very name is not a join. Raises ColumnsError for a part that is not a column.
     """
-    explicit = (
-        {str(reading.columns[key]): key for key in KEYS if key in reading.columns} if reading.columns else {}
-    )
+    explicit = {str(column): field for field, column in (reading.columns or {}).items()}
     return {
-        name: [_find_column(path, names, key, part.strip()) for part in name.split(JOIN)]
-        for name, key in explicit.items()
+        name: [_find_column(path, names, field, part.strip()) for part in name.split(JOIN)]
+        for name, field in explicit.items()
         if JOIN in name and name not in names
     }
 
@@ -151,6 +149,9 @@ def _refusal(
 ) -> ColumnsError:
     free = [name for name in names if name not in best.values()]
     likely = {field: name for field, name in similar_names(free).items() if field not in best} | dict(best)
+    pairs = [name for name in free if holds_pairs(cells(name))]
+    if len(pairs) == 1 and not {"x", "y"} & likely.keys():
+        likely |= {"x": f"{pairs[0]}.0", "y": f"{pairs[0]}.1"}
     if not likely and list(names[:3]) == ["0", "1", "2"]:  # no header
         likely = _by_place(names, cells)
     missing = {field: "COLUMN" for field in NEEDED if field not in likely}
@@ -159,8 +160,8 @@ def _refusal(
         _possible_units(likely["t"], cells, explicit) if "t" in likely else [explicit] if explicit else None
     )
     unit = fitting[0] if fitting and len(fitting) == 1 else None
-    pairs = likely | missing
-    command = command_for(path, pairs) if fitting is None else _command(path, pairs, fitting)
+    known = likely | missing
+    command = command_for(path, known) if fitting is None else _command(path, known, fitting)
     return ColumnsError(f"{path}: {why}; it {_has(names)}; try: {command}", names, likely, unit, why)
 
 

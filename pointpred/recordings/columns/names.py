@@ -7,6 +7,8 @@ from collections.abc import Sequence
 
 import msgspec
 
+from pointpred.recordings.reading import KEYS
+
 
 def _words(*lines: str) -> tuple[str, ...]:
     return tuple(" ".join(lines).split())
@@ -41,8 +43,10 @@ XS = _words(
     "xtrajectory trajectoryx xvalues xvals",
 )
 STUDY = ("block", "session", "run", "condition", "phase")
-COUNTS = frozenset(_words("id number num no nr index name count"))
+COUNTS = frozenset(_words("id number num no nr index idx name count"))
 """Words beside the one that names the counted thing."""
+NUMBERED = COUNTS - {"name", "count"}
+"""Those that tell one of several."""
 CLOCKS = ("t", "ts", "clock")
 VAGUE = ("state",)
 """Names of columns that hold buttons only if their cells are words for buttons."""
@@ -130,6 +134,8 @@ def _usual(names: Sequence[str]) -> Guess:
     matches: dict[str, list[str]] = {
         field: _in_order(names, words.split(), PIXELS) for field, words in USUAL.items()
     }
+    for field in KEYS:
+        matches[field] = matches[field] or _numbered(names, USUAL[field].split())
     matches["t"] = [name for name in names if _plain(name, frozenset()) in ("ms", "msec", "millis")]
     matches["t"] = _in_order(names, TIMES, frozenset(TIME_UNITS)) + matches["t"]
     pairs = _pairs(names)
@@ -181,6 +187,11 @@ def _in_order(names: Sequence[str], usual: Sequence[str], units: frozenset[str])
     """The usual names among ``names``, in the order of ``usual``."""
     ranked = [(usual.index(plain), name) for name in names if (plain := _plain(name, units)) in usual]
     return [name for _, name in sorted(ranked, key=lambda one: one[0])]
+
+
+def _numbered(names: Sequence[str], usual: Sequence[str]) -> list[str]:
+    """The names of which all words but an ``id``, ``idx`` and the like are a usual name."""
+    return [name for name in names if "".join(w for w in words_of(name) if w not in NUMBERED) in usual]
 
 
 def _lone(names: Sequence[str]) -> dict[str, str]:

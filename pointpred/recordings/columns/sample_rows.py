@@ -18,8 +18,16 @@ from pointpred.recordings.arrow_tables import IntArray
 from pointpred.recordings.columns.names import parts_of_study
 from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.reading import Cut, Reading
-from pointpred.recordings.segmentation import PAUSE_S, cut
-from pointpred.recordings.trials import TARGET, Codes, assemble, codes_of, conditions_of, keys_of, one_value
+from pointpred.recordings.segmentation import PAUSE_S, Groups
+from pointpred.recordings.trials import (
+    TARGET,
+    Codes,
+    codes_of,
+    conditions_of,
+    in_order,
+    keys_of,
+    one_value,
+)
 from pointpred.records import EVENT_FIELDS, EventColumns, FloatArray
 
 LONG_S, GAP_S = 10.0, 1.0
@@ -49,16 +57,6 @@ class Rows(msgspec.Struct):
             self.faults.setdefault(row, f"{called} is {cell!r}, expected {expected}")
 
 
-class Groups(msgspec.Struct):
-    """Trial of each row (-1: none), user and name of each trial, notes on left-out rows and assumptions."""
-
-    group: IntArray
-    keys: list[tuple[str, str]]
-    conditions: list[dict[str, str | float]]
-    skipped: list[Skip] = []
-    notes: list[str] = []
-
-
 def recording_of_rows(
     path: Path,
     rows: Rows,
@@ -82,16 +80,13 @@ def recording_of_rows(
             table[:, index] = rows.values[field.name]
     users, one_user = keys.get("user"), stem_of(path)
     if "trial" in keys:
-        groups = _by_column(rows, users, keys["trial"], one_user, others)
+        groups = _by_column(rows, users, keys["trial"], one_user, others, reading.sort)
         if reading.cut is not None:
             groups.notes.append(f"cut {reading.cut!r} has no effect: the table has a column for trials")
     else:
         groups = _cut(rows, table, users, one_user, reading)
     members = np.flatnonzero(groups.group >= 0)
-    group, table = groups.group[members], table[members]
-    first = np.full(len(groups.keys), np.nan)
-    first[group[::-1]] = table[::-1, 0]
-    table[:, 0] = (table[:, 0] - first[group]) / rows.per_second
+    group = groups.group[members]
     sizes = len(groups.keys)
     targets = [
         one_value(rows.values[field][members], group, sizes)
@@ -119,35 +114,35 @@ def recording_of_rows(
     ]
     if varying:
         groups.notes.append(f"columns left aside, for they vary within a trial: {', '.join(varying)}")
-    faulty = np.array(sorted(rows.faults), dtype=np.int64)
-    faulty = faulty[groups.group[faulty] >= 0]
-    return assemble(
+    return groups.recording(
         stem_of(path),
         table,
-        group,
         trials,
-        skipped=(*skipped, *groups.skipped),
-        faults={
-            int(at): rows.faults[int(row)]
-            for at, row in zip(np.searchsorted(members, faulty), faulty, strict=True)
-        },
+        rows.per_second,
+        row_of=rows.row_of,
+        faults=rows.faults,
+        skipped=skipped,
         unusable={
             int(index): f"target_w is {targets[-1][index]}, expected above 0 px"
             for index in np.flatnonzero(targets[-1] <= 0)
         },
         provenance=provenance,
-        row_of=rows.row_of[members],
-        notes=(*notes, *groups.notes),
+        sort=reading.sort or "trial" not in keys,  # a stream was cut where its time starts anew
+        notes=notes,
     )
 
 
-def _by_column(rows: Rows, users: Any, trials: Any, one_user: str, others: dict[str, Any]) -> Groups:
+def _by_column(
+    rows: Rows, users: Any, trials: Any, one_user: str, others: dict[str, Any], sort: bool
+) -> Groups:
     """Trials as named in the table, restarts separated; rows outside trials are left out and counted."""
     if users is None:
         user_codes, user_names = np.zeros(rows.count, dtype=np.int64), [one_user]
     else:
         user_codes, user_names = codes_of(users.fill_null(""))
-    (trial_codes, trial_names), restarts = without_restarts(user_codes, trials, rows.values["t"], others)
+    (trial_codes, trial_names), restarts = without_restarts(
+        user_codes, trials, rows.values["t"], others, sort
+    )
     named = np.array([bool(name.strip()) for name in trial_names] or [True])[trial_codes]
     if users is not None:
         named &= np.array([bool(name.strip()) for name in user_names] or [True])[user_codes]
@@ -169,7 +164,7 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
     if users is not None:
         codes, names = codes_of(users.fill_null(""))
     usable = np.isfinite(table[:, :3]).all(axis=1)
-    groups = Groups(np.full(rows.count, -1, dtype=np.int64), [], [])
+    groups = Groups(np.full(rows.count, -1, dtype=np.int64))
     methods: dict[str, int] = {}
     restarts = 0
     for code, user in enumerate(names):
@@ -178,14 +173,16 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
             continue
         events = table[mine].copy()
         events[:, 0] = (events[:, 0] - events[0, 0]) / rows.per_second
-        back = np.flatnonzero(np.diff(events[:, 0]) < 0) + 1
-        restarts += len(back)
-        parts = np.split(np.arange(len(mine)), back)
+        order, anew, _ = in_order(events[:, 0], reading.sort)
+        restarts += len(anew)
+        mine, events = mine[order], events[order]
+        parts = np.split(np.arange(len(mine)), anew)
         how = reading.cut or _method(events, parts)
         methods[how] = methods.get(how, 0) + 1
         named = user or one_user
         for part in parts:
-            _cut_part(groups, rows, mine[part], EventColumns(events[part]), how, named, reading)
+            stream = EventColumns(events[part])
+            groups.add_stream(mine[part], stream, how, reading, rows.row_of, named, of=named)
     if users is None:
         groups.notes.append(f"one user, {one_user!r}: no column for users")
     cuts = " or ".join(CUTS[method] for method in methods)
@@ -199,22 +196,6 @@ def _cut(rows: Rows, table: FloatArray, users: Any, one_user: str, reading: Read
         why = rows.faults.get(row, "t, x or y is empty or too large")
         groups.notes.append(f"rows left out: {out}, the first is data row {rows.row_of[row]}: {why}")
     return groups
-
-
-def _cut_part(
-    groups: Groups, rows: Rows, mine: IntArray, events: EventColumns, how: Cut, user: str, reading: Reading
-) -> None:
-    """Cut the rows ``mine`` and add their trials and skips."""
-    for piece in cut(events, how, reading):
-        some = mine[piece.start : piece.stop]
-        first, last = int(rows.row_of[some[0]]), int(rows.row_of[some[-1]])
-        if piece.reason:
-            groups.skipped.append(Skip(f"rows {first} to {last}", piece.reason, first, user))
-            continue
-        groups.group[some] = len(groups.keys)
-        number = sum(1 for key in groups.keys if key[0] == user)
-        groups.keys.append((user, str(number)))
-        groups.conditions.append({"begins_s": float(events.t[piece.start])})
 
 
 def _method(events: FloatArray, parts: Sequence[NDArray[np.int64]]) -> Cut:
@@ -236,13 +217,13 @@ def join_columns(columns: list[Any]) -> Any:
 
 
 def without_restarts(
-    user: IntArray, column: Any, clock: FloatArray, others: Mapping[str, Any]
+    user: IntArray, column: Any, clock: FloatArray, others: Mapping[str, Any], sort: bool = False
 ) -> tuple[Codes, list[str]]:
     """The trial of each row by the ``column`` of trials, with restarts separated; and notes on assumptions.
 
     If a trial of a user has several runs of rows, a usual column such as ``block`` that separates them is
     joined to the trial. Without one, a run that begins before the end of the last one is a separate trial,
-    named ``trial (2)`` and so on. Rows without a trial (empty text) stay so.
+    named ``trial (2)`` and so on, unless rows are to be sorted. Rows without a trial (empty text) stay so.
     """
     trials = codes_of(column.fill_null(""))
     order = np.argsort(user, kind="stable")
@@ -254,7 +235,7 @@ def without_restarts(
         joint = codes_of(join_columns([*(others[name] for name in names), column]).fill_null(""))
         if _separates(_Runs(user, joint, order), runs, clock[order]):
             return joint, [f"trial numbers restart: {' and '.join(names)} joined to the trial"]
-    return _split(trials, runs, clock[order], order)
+    return (trials, []) if sort else _split(trials, runs, clock[order], order)
 
 
 class _Runs:

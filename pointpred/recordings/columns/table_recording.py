@@ -8,14 +8,14 @@ from typing import Any
 
 import msgspec
 import numpy as np
-import pyarrow as pa
 import pyarrow.compute as pc
 
-from pointpred.errors import ColumnsError, RecordingError
+from pointpred.errors import ColumnsError
 from pointpred.recording import Provenance, Recording
 from pointpred.recordings import arrow_tables
 from pointpred.recordings.arrow_tables import ColumnTable
 from pointpred.recordings.columns import clocks
+from pointpred.recordings.columns.buttons import buttons_of
 from pointpred.recordings.columns.clocks import (
     HEAD,
     clock_notes,
@@ -24,29 +24,19 @@ from pointpred.recordings.columns.clocks import (
     only_whole_seconds,
     units_of,
 )
+from pointpred.recordings.columns.expansion import as_arrow, expand
 from pointpred.recordings.columns.list_rows import holds_lists, recording_of_lists, steps_of
-from pointpred.recordings.columns.mapping import KEYS, command_for, mapping, parts_of, unit_refusal
-from pointpred.recordings.columns.names import VAGUE, similar_names, words_of
-from pointpred.recordings.columns.sample_rows import Rows, join_columns, recording_of_rows
-from pointpred.recordings.nested_records import open_cells
-from pointpred.recordings.reading import NEEDED, Reading
-from pointpred.recordings.trials import MOST_BUTTONS, TARGET, codes_of
+from pointpred.recordings.columns.mapping import command_for, mapping, unit_refusal
+from pointpred.recordings.columns.names import similar_names
+from pointpred.recordings.columns.sample_rows import Rows, recording_of_rows
+from pointpred.recordings.reading import KEYS, NEEDED, Reading
+from pointpred.recordings.trials import TARGET, codes_of
 from pointpred.records import EventColumns, FloatArray
 
 MOSTLY = 0.5
 """Largest share of cells that are not numbers in a column of numbers."""
 OFTEN, FEW = 0.2, 3
 """With a larger share and number of backward steps a column is not a clock that restarts."""
-RELEASED = frozenset(("false", "no", "none", "up", "released", "release", "mouseup", "move", "mousemove"))
-DOWN = ("true", "yes", "down", "pressed", "press", "mousedown", "click", "left", "drag", "primary")
-PRESSED = {
-    **dict.fromkeys(DOWN, 1.0),
-    "right": 2.0,
-    "secondary": 2.0,
-    "middle": 4.0,
-}
-BUTTON_WORDS = {*RELEASED, *PRESSED} - {"true", "false", "yes", "no", "none", "move"}
-"""Words that mark a column named ``state`` as the buttons' state."""
 
 
 def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Recording:
@@ -55,7 +45,7 @@ def recording_of_table(path: Path, table: ColumnTable, reading: Reading) -> Reco
     Notes list the assumptions. Raises ColumnsError, which names the columns and a mapping to try, if no
     mapping is certain, and RecordingError if a mapped column has the wrong content.
     """
-    mapped = _MappedTable(path, _expand(path, table, reading), reading)
+    mapped = _MappedTable(path, expand(path, table, reading), reading)
     recording = _of_lists(mapped) if mapped.holds_lists else _of_rows(mapped)
     position_notes = _position_notes(recording.events, reading)
     return msgspec.structs.replace(recording, notes=(*recording.notes, *position_notes))
@@ -165,19 +155,6 @@ class _MappedTable:
         return all(_part_alike(self.column(some[0]), self.column(other)) for other in some[1:])
 
 
-def _expand(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
-    """The table with tracks in its cells expanded to columns, and with joined columns."""
-    columns, damage = open_cells(table.columns)
-    sizes = {len(column) for column in columns.values()}
-    if len(sizes) > 1:
-        raise RecordingError(
-            f"{path}: columns of {min(sizes)} to {max(sizes)} rows, expected as many of each"
-        )
-    for name, parts in parts_of(path, list(columns), reading).items():
-        columns[name] = join_columns([as_arrow(columns[part]) for part in parts])
-    return msgspec.structs.replace(table, columns=columns, notes=(*table.notes, *damage))
-
-
 def _of_lists(mapped: _MappedTable) -> Recording:
     """The recording in a table with one trial per row; raises ColumnsError."""
     lacking = [mapped.mapping[field] for field in NEEDED if not holds_lists(mapped.field(field))]
@@ -197,6 +174,7 @@ def _of_lists(mapped: _MappedTable) -> Recording:
         provenance=mapped.provenance(how),
         skipped=mapped.table.skipped,
         notes=mapped.all_notes(how),
+        sort=mapped.reading.sort,
     )
 
 
@@ -255,21 +233,6 @@ def _read_buttons(mapped: _MappedTable, rows: Rows) -> None:
         rows.values["buttons"] = pressed
 
 
-def as_arrow(column: Any) -> Any:
-    """A column as an Arrow array; cells of several types become text."""
-    if isinstance(column, pa.ChunkedArray):
-        return column
-    try:
-        array = pa.array(column)
-    except MemoryError:  # one of Arrow's, too: text takes even more
-        raise
-    except (pa.ArrowException, TypeError, ValueError, OverflowError):
-        array = pa.array([None if cell is None else str(cell) for cell in column], pa.string())
-    if pa.types.is_null(array.type):
-        array = pc.cast(array, pa.string())
-    return pa.chunked_array([array])
-
-
 def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None:
     """Raise ColumnsError if most cells of a column are not numbers."""
     bad = np.flatnonzero(~np.isfinite(values))
@@ -287,7 +250,7 @@ def _check_numbers(mapped: _MappedTable, field: str, values: FloatArray) -> None
 def _check_steps(mapped: _MappedTable, rows: Rows, keys: Mapping[str, Any]) -> None:
     """Note implausible steps of the clock; raise ColumnsError if it is too coarse to cut a stream."""
     times, users = rows.values["t"], keys.get("user")
-    if "trial" not in keys:
+    if "trial" not in keys and not mapped.reading.sort:
         _check_clock(mapped, times, users)
     mapped.notes += clock_notes(mapped.mapping["t"], rows.per_second, times, users)
     if only_whole_seconds(times, rows.per_second, users):
@@ -323,57 +286,3 @@ def _part_alike(one: Any, other: Any) -> bool:
     codes = [codes_of(pc.fill_null(arrow_tables.words(column), ""))[0] for column in (one, other)]
     together = len(np.unique(codes[0] * (codes[1].max(initial=0) + 1) + codes[1]))
     return together == len(np.unique(codes[0])) == len(np.unique(codes[1]))
-
-
-def buttons_of(path: Path, name: str, column: Any, explicit: bool) -> FloatArray | None:
-    """Pressed buttons as W3C pointer events number them, 0 for an empty cell.
-
-    A column that the user named (``explicit``) must hold buttons, else RecordingError names the wrong cell;
-    for a column with a usual name the answer is then ``None``; ``state`` must hold words for buttons.
-    """
-    if not explicit and words_of(name) in [[vague] for vague in VAGUE] and not _has_words(column):
-        return None
-    if pa.types.is_boolean(column.type) or not arrow_tables.is_words(column):
-        values = np.nan_to_num(arrow_tables.numbers(column)[0])
-        bad = np.flatnonzero((values < 0) | (values > MOST_BUTTONS) | (values != np.floor(values)))
-        cell = str(values[bad[0]]) if len(bad) else ""
-    else:
-        codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
-        numbers = np.array([_pressed(cell) for cell in cells] or [0.0])
-        values = numbers[codes]
-        bad = np.flatnonzero(np.isnan(values))
-        cell = cells[codes[bad[0]]] if len(bad) else ""
-    if not len(bad):
-        return values
-    if not explicit:
-        return None
-    raise RecordingError(
-        f"{path}: data row {bad[0]}: {name} is {arrow_tables.short(cell)!r}, expected buttons: "
-        f"a whole number, or one of {', '.join(sorted((*PRESSED, *RELEASED)))}"
-    )
-
-
-def _has_words(column: Any) -> bool:
-    """Whether cells are words used only for buttons."""
-    if not arrow_tables.is_words(column):
-        return False
-    _, cells = codes_of(arrow_tables.words(column).fill_null(""))
-    return any(_word(cell) in BUTTON_WORDS for cell in cells)
-
-
-def _word(cell: str) -> str:
-    return cell.strip().lower().replace("_", "").replace(" ", "")
-
-
-def _pressed(cell: str) -> float:
-    """The buttons of a cell, NaN if it is not a value of buttons."""
-    word = _word(cell)
-    if not word or word in RELEASED:
-        return 0.0
-    if word in PRESSED:
-        return PRESSED[word]
-    try:
-        number = float(word)
-    except ValueError:
-        return float("nan")
-    return number if 0 <= number <= MOST_BUTTONS and number == int(number) else float("nan")

@@ -64,17 +64,15 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     place = np.cumsum(~wheel) - 1
     time = columns["client timestamp"][rows]
     finite = time[np.isfinite(time)]
-    events = EventColumns.of(
-        (time - (finite[0] if len(finite) else 0.0)) * (1.0 if seconds else 0.001),
-        columns["x"][rows],
-        columns["y"][rows],
-        buttons=_held(button[rows], state[rows]),
-    )
+    table = np.full((len(rows), 6), np.nan)
+    table[:, 0] = (time - (finite[0] if len(finite) else 0.0)) * (1.0 if seconds else 0.001)
+    table[:, 1], table[:, 2] = columns["x"][rows], columns["y"][rows]
+    table[:, 5] = _held(button[rows], state[rows])
     notes = [f"wheel rows left aside: {len(state) - len(rows)}"] if len(rows) < len(state) else []
     clock = "the client's clock, s" if seconds else "the client's clock, ms"
     return trials_of_stream(
         stem_of(path),
-        events,
+        EventColumns(table),
         reading.cut or "clicks",
         reading,
         user=user_of(path),

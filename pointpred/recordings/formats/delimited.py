@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
+import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 
@@ -72,9 +73,9 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """The cells of a delimited text as text; numbers have a decimal point.
 
     The text has no header if its first row has numbers above numbers: columns are then named ``0``, ``1`` and
-    so on. A row with another number of cells is a skip; if many rows have the same number of additional
-    cells, the others are padded with empty ones. Memory: the text, and its cells once more. Raises
-    RecordingError.
+    so on. Empty cells behind the last column are left out. A row with another number of cells is a skip; if
+    many rows have the same number of additional cells, the others are padded with empty ones. Memory: the
+    text, and its cells once more. Raises RecordingError.
     """
     with open_utf8(path) as (file, _):
         text = file.read().removeprefix(UTF_8)
@@ -148,9 +149,23 @@ def _body(text: bytes, layout: Layout) -> tuple[bytes, int]:
 
 def _rows(path: Path, body: bytes, layout: Layout) -> tuple[Any, dict[int, int]]:
     """The rows as an Arrow table of words, and the number of cells of each deviating row."""
-    odd: dict[int, int] = {}
+    odd: dict[int, tuple[int, str]] = {}
     types = dict.fromkeys(layout.columns, pa.string())
-    return arrow_tables.parse_csv(path, io.BytesIO(body), types, layout.separator, odd=odd), odd
+    table = arrow_tables.parse_csv(path, io.BytesIO(body), types, layout.separator, odd=odd)
+    rows = {row: _split(layout.separator, [(0, text)])[0] for row, (_, text) in odd.items()}
+    mended = {row: _trimmed(cells[0], layout.width) for row, cells in rows.items() if cells}
+    mended = {row: cells for row, cells in mended.items() if len(cells) == layout.width}
+    if mended:
+        places = np.concatenate([arrow_tables.rows_without(table.num_rows + len(odd), odd), list(mended)])
+        columns = zip(layout.columns, zip(*mended.values(), strict=True), strict=True)
+        whole = pa.table({name: pa.array(cells, pa.string()) for name, cells in columns})
+        table = pa.concat_tables([table, whole]).take(np.argsort(places))
+    return table, {row: cells for row, (cells, _) in odd.items() if row not in mended}
+
+
+def _trimmed(row: list[str], width: int) -> list[str]:
+    """A row without the empty cells behind its last column."""
+    return row[:width] if len(row) > width and all(row[:width]) and not any(row[width:]) else row
 
 
 def _wider(body: bytes, layout: Layout, odd: dict[int, int]) -> Layout | None:
@@ -303,6 +318,7 @@ def _by(separator: str, numbered: Sequence[tuple[int, str]], comments: Sequence[
     width, _ = Counter(map(len, rows[min(1, len(rows) - 1) :])).most_common(1)[0]
     if width < (3 if separator in " |" else 2):
         return None
+    rows = [_trimmed(row, width) for row in rows]
     start = next((at for at, row in enumerate(rows[:PREAMBLE]) if len(row) == width), None)
     if start is None:
         return None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
@@ -15,6 +14,7 @@ from pointpred.recordings.arrow_tables import IntArray
 from pointpred.recordings.encodings import read_text, stem_of
 from pointpred.recordings.reading import Reading
 from pointpred.recordings.segmentation import trials_of_stream
+from pointpred.recordings.trials import join
 from pointpred.records import EventColumns
 
 SHOWN = 60
@@ -26,6 +26,8 @@ BUTTONS = {0x110: 1, 0x111: 2, 0x112: 4, 0x113: 8, 0x114: 16, 0x115: 16, 0x116: 
 LARGEST = 1 << 31
 RawEvent = tuple[int, int, int, int]
 """Time in microseconds, type, code, value."""
+DeviceEvent = tuple[tuple[int, str], RawEvent]
+"""A raw event of a device: its number and its name, "" where the file does not say it."""
 
 
 class UnreadableLines:
@@ -60,68 +62,124 @@ class Frames(msgspec.Struct):
 def text_recording(
     path: Path,
     form: str,
-    name: re.Pattern[str],
-    events: Callable[[str, UnreadableLines], Iterable[RawEvent]],
+    events: Callable[[str, UnreadableLines], Iterable[DeviceEvent]],
     reading: Reading,
     clock: str,
 ) -> Recording:
-    """The recording of a text about the one device ``name``; ``events`` extracts its raw events.
-
-    Lines that cannot be read are counted in notes. Raises RecordingError if nothing moves.
-    """
-    text = read_text(path)
-    match = name.search(text)
-    device = match.group(1).strip() if match else stem_of(path)
+    """The recording of the devices of a text, whose raw events ``events`` extracts; raises RecordingError."""
     unreadable = UnreadableLines()
-    stream = frames(path, events(text, unreadable))
-    if isinstance(stream, str):
-        raise RecordingError(f"{path}: {'; '.join([stream, *unreadable.notes])}", code="no_motion")
-    stream.notes += unreadable.notes
-    return recording(path, form, device, stream, reading, clock)
+    builders: dict[tuple[int, str], FrameBuilder] = {}
+    for row, (device, event) in enumerate(events(read_text(path), unreadable)):
+        builders.setdefault(device, FrameBuilder(path)).add(row, event)
+    devices = [(name or stem_of(path), builder.finish()) for (_, name), builder in builders.items()]
+    return recording_of_devices(path, form, devices, unreadable, reading, clock)
+
+
+def recording_of_devices(
+    path: Path,
+    form: str,
+    devices: Iterable[tuple[str, Frames | str]],
+    unreadable: UnreadableLines,
+    reading: Reading,
+    clock: str,
+    unit: str = "counts",
+) -> Recording:
+    """The recording of all devices that move; the others and lines that cannot be read are in notes.
+
+    Raises RecordingError if nothing moves.
+    """
+    parts: list[Recording] = []
+    still: list[str] = []
+    for name, stream in devices:
+        if isinstance(stream, str):
+            still.append(f"device {name}: {stream}")
+        else:
+            parts.append(_recording(path, form, name, stream, reading, clock, unit))
+    notes = [*still, *unreadable.notes]
+    if not parts:
+        why = "; ".join(notes) or "no devices, expected one that moves"
+        raise RecordingError(f"{path}: {why}", code="no_motion")
+    return join(stem_of(path), parts, [str(index) for index in range(len(parts))], notes)
+
+
+class FrameBuilder:
+    """Sums the relative motion of each frame of a device; x and y are the summed counts, 1 count = 1 px.
+
+    Frames without motion and button (the wheel) are ignored and counted in a note. SYN_DROPPED means that the
+    kernel lost events: the frame up to it is discarded, and counts as a fault; whatever was pressed counts as
+    released after it, since the release may be among what was lost.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.table: list[tuple[int, int, int, int]] = []
+        self.rows: list[int] = []
+        self.faults: dict[int, str] = {}
+        self.aside = self.count = self.released = 0
+        self.buttons, self.absolute = 0, False
+        self._begin()
+
+    def _begin(self) -> None:
+        self._dx = self._dy = 0
+        self._begins, self._useful, self._lost = -1, False, False
+
+    def add(self, row: int, event: RawEvent) -> None:
+        """One event, which is number ``row`` in the file; raises RecordingError for an impossible value."""
+        time, kind, code, value = event
+        self.count += 1
+        if self._begins < 0:
+            self._begins = row
+        if not (abs(value) < LARGEST and 0 <= time < 1 << 52):
+            raise RecordingError(f"{self.path}: event {row}: time {time} us, value {value}, expected 31 bits")
+        if kind == EV_SYN and code == SYN_REPORT:
+            self._end(time)
+        elif kind == EV_SYN and code == SYN_DROPPED:
+            self._dx, self._dy, self._useful, self._lost = 0, 0, True, True
+        elif kind == EV_ABS:
+            self.absolute = True
+        elif self._lost:
+            pass  # the rest of a frame of which the beginning is lost
+        elif kind == EV_REL and code in (REL_X, REL_Y):
+            self._dx += value * (code == REL_X)
+            self._dy += value * (code == REL_Y)
+            self._useful = True
+        elif kind == EV_KEY and code in BUTTONS:
+            self.buttons = self.buttons | BUTTONS[code] if value else self.buttons & ~BUTTONS[code]
+            self._useful = True
+
+    def _end(self, time: int) -> None:
+        """End a frame."""
+        if self._lost:
+            self.faults[len(self.table)] = "the kernel dropped events (SYN_DROPPED)"
+        if self._useful:
+            self.table.append((time, self._dx, self._dy, self.buttons))
+            self.rows.append(self._begins)
+        else:
+            self.aside += 1
+        if self._lost:
+            self.released += self.buttons > 0
+            self.buttons = 0
+        self._begin()
+
+    def finish(self) -> Frames | str:
+        """The frames, or a text about the content if nothing moves."""
+        if not any(move[1] or move[2] for move in self.table):
+            what = "absolute positions only" if self.absolute else "no relative motion"
+            return f"{what} in {self.count} events, expected REL_X or REL_Y in a complete frame"
+        notes = [f"frames without motion or button left aside: {self.aside}"] if self.aside else []
+        if self.released:
+            notes.append(f"buttons taken as released after SYN_DROPPED: {self.released}")
+        if self._useful:
+            notes.append(f"the last frame, from event {self._begins}, is not complete and left aside")
+        return frames_of_counts(self.table, self.rows, notes, self.faults)
 
 
 def frames(path: Path, raw: Iterable[RawEvent]) -> Frames | str:
-    """Sum the relative motion of each frame; x and y are the summed counts, 1 count = 1 px.
-
-    Frames without motion and button (the wheel) are ignored and counted in a note. SYN_DROPPED means that the
-    kernel lost events: the frame up to it is discarded, and counts as a fault. If nothing moves it returns a
-    text about the content; raises RecordingError for an impossible value.
-    """
-    table: list[tuple[int, int, int, int]] = []
-    rows: list[int] = []
-    faults: dict[int, str] = {}
-    dx = dy = buttons = aside = count = 0
-    begins, useful, lost, absolute = 0, False, False, False
-    for row, (time, kind, code, value) in enumerate(raw):
-        count = row + 1
-        if not (abs(value) < LARGEST and 0 <= time < 1 << 52):
-            raise RecordingError(f"{path}: event {row}: time {time} us, value {value}, expected 31 bits")
-        if kind == EV_REL and code in (REL_X, REL_Y):
-            dx, dy = (dx + value, dy) if code == REL_X else (dx, dy + value)
-            useful = True
-        elif kind == EV_KEY and code in BUTTONS:
-            buttons = buttons | BUTTONS[code] if value else buttons & ~BUTTONS[code]
-            useful = True
-        elif kind == EV_ABS:
-            absolute = True
-        elif kind == EV_SYN and code == SYN_DROPPED:
-            dx, dy, useful, lost = 0, 0, True, True
-        elif kind == EV_SYN and code == SYN_REPORT:
-            if lost:
-                faults[len(table)] = "the kernel dropped events (SYN_DROPPED)"
-            if useful:
-                table.append((time, dx, dy, buttons))
-                rows.append(begins)
-            else:
-                aside += 1
-            dx, dy, begins, useful, lost = 0, 0, row + 1, False, False
-    if not any(move[1] or move[2] for move in table):
-        what = "absolute positions only" if absolute else "no relative motion"
-        return f"{what} in {count} events, expected REL_X or REL_Y in a complete frame"
-    notes = [f"frames without motion or button left aside: {aside}"] if aside else []
-    if useful:
-        notes.append(f"the last frame, from event {begins}, is not complete and left aside")
-    return frames_of_counts(table, rows, notes, faults)
+    """The frames of one device, or a text about its content if nothing moves; raises RecordingError."""
+    builder = FrameBuilder(path)
+    for row, event in enumerate(raw):
+        builder.add(row, event)
+    return builder.finish()
 
 
 def frames_of_counts(
@@ -134,11 +192,13 @@ def frames_of_counts(
     whole = np.array(table, dtype=np.int64)
     x, y = np.cumsum(whole[:, 1]), np.cumsum(whole[:, 2])
     seconds = (whole[:, 0] - whole[0, 0]) / 1e6
-    events = EventColumns.of(seconds, x, y, whole[:, 1], whole[:, 2], whole[:, 3])
+    events = EventColumns(np.column_stack([seconds, x, y, whole[:, 1:]]))
     return Frames(events, np.array(rows, dtype=np.int64), faults or {}, notes)
 
 
-def recording(path: Path, form: str, device: str, stream: Frames, reading: Reading, clock: str) -> Recording:
+def _recording(
+    path: Path, form: str, device: str, stream: Frames, reading: Reading, clock: str, unit: str
+) -> Recording:
     """The recording of one device's frames, by default cut into bursts."""
     return trials_of_stream(
         stem_of(path),
@@ -148,7 +208,7 @@ def recording(path: Path, form: str, device: str, stream: Frames, reading: Readi
         user="unknown",
         provenance=Provenance(
             form,
-            unit="counts",
+            unit=unit,
             origin="where the stream began",
             y_axis="down",
             clock=clock,

@@ -7,7 +7,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pointpred.recording import Recording
-from pointpred.recordings.formats.evdev_frames import RawEvent, UnreadableLines, text_recording
+from pointpred.recordings.formats.evdev_frames import (
+    DeviceEvent,
+    UnreadableLines,
+    text_recording,
+)
 from pointpred.recordings.reading import AS_IS, Reading
 
 TITLE = "evemu 1.x"
@@ -15,8 +19,8 @@ EVENT = re.compile(
     r"E: (\d{1,10})\.(\d{6}) ([0-9a-fA-F]{1,4}) ([0-9a-fA-F]{1,4}) (-?\d{1,10})(?:\s*#.*)?\s*$"
 )
 LIKELY = re.compile(rb"^E: \d+\.\d{6} [0-9a-fA-F]{4} [0-9a-fA-F]{4} -?\d+\s*(#|$)", re.MULTILINE)
-NAME = re.compile(r"^N: (.*)$", re.MULTILINE)
-OTHERS = "NIPBALS#"
+NAME = re.compile(r"N: (.*)$")
+OTHERS = "IPBALS#"
 
 
 def recognises(head: bytes) -> bool:
@@ -27,14 +31,18 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read a recording as counts; ``row`` counts the E lines that can be read; the others are in a note.
 
-    Raises RecordingError.
+    A line N: begins another device. Raises RecordingError.
     """
-    return text_recording(path, "evemu", NAME, _events, reading, "kernel stamps, us; which clock is not said")
+    return text_recording(path, "evemu", _events, reading, "kernel stamps, us; which clock is not said")
 
 
-def _events(text: str, unreadable: UnreadableLines) -> Iterator[RawEvent]:
+def _events(text: str, unreadable: UnreadableLines) -> Iterator[DeviceEvent]:
     """The events of the E lines."""
+    device = (0, "")
     for number, line in enumerate(text.splitlines(), 1):
+        if name := NAME.match(line):
+            device = (device[0] + 1, name[1].strip())
+            continue
         if not line.strip() or line[0] in OTHERS:
             continue
         match = EVENT.match(line)
@@ -42,4 +50,5 @@ def _events(text: str, unreadable: UnreadableLines) -> Iterator[RawEvent]:
             unreadable.add("events that cannot be read", number, line)
             continue
         seconds, micros, kind, code, value = match.groups()
-        yield int(seconds) * 1_000_000 + int(micros), int(kind, 16), int(code, 16), int(value)
+        time = int(seconds) * 1_000_000 + int(micros)
+        yield device, (time, int(kind, 16), int(code, 16), int(value))

@@ -12,7 +12,7 @@ from pointpred.recordings.formats.evdev_frames import (
     EV_SYN,
     SYN_DROPPED,
     SYN_REPORT,
-    RawEvent,
+    DeviceEvent,
     UnreadableLines,
     text_recording,
 )
@@ -24,7 +24,7 @@ EVENT = re.compile(
     STAMP + r"type (\d{1,2}) \([^)]*\), code (\d{1,4}) \([^)]*\), value (-?[0-9a-fA-F]{1,10})\s*$"
 )
 MARK = re.compile(STAMP + r"[-+>]+ ?([A-Za-z_ ?]+?) ?[-+<]+\s*$")
-NAME = re.compile(r'^Input device name: "(.*)"$', re.MULTILINE)
+NAME = re.compile(r'Input device name: "(.*)"$')
 WHOLE = re.compile(r"-?\d+")
 UNREAD = "events that cannot be read"
 REPORTS = ("SYN_REPORT", "Report Sync")
@@ -39,15 +39,17 @@ def recognises(head: bytes) -> bool:
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """Read a recording as counts; ``row`` counts the Event lines that can be read; the others are in a note.
 
-    Raises RecordingError.
+    A header with a name begins another device. Raises RecordingError.
     """
-    clock = "kernel stamps, us, usually the real-time clock"
-    return text_recording(path, "evtest", NAME, _events, reading, clock)
+    return text_recording(path, "evtest", _events, reading, "kernel stamps, us, usually the real-time clock")
 
 
-def _events(text: str, unreadable: UnreadableLines) -> Iterator[RawEvent]:
+def _events(text: str, unreadable: UnreadableLines) -> Iterator[DeviceEvent]:
     """The events of the lines that begin with Event; evtest's own header and footer are skipped."""
+    device = (0, "")
     for number, line in enumerate(text.splitlines(), 1):
+        if name := NAME.match(line):
+            device = (device[0] + 1, name[1].strip())
         if not line.startswith("Event: "):
             continue
         event, mark = EVENT.match(line), MARK.match(line)
@@ -55,13 +57,13 @@ def _events(text: str, unreadable: UnreadableLines) -> Iterator[RawEvent]:
             seconds, micros, kind, code, value = event.groups()
             time = int(seconds) * 1_000_000 + int(micros)
             if int(kind) > EV_REL:
-                yield time, int(kind), int(code), 0
+                yield device, (time, int(kind), int(code), 0)
             elif WHOLE.fullmatch(value):
-                yield time, int(kind), int(code), int(value)
+                yield device, (time, int(kind), int(code), int(value))
             else:
                 unreadable.add(UNREAD, number, line)
         elif mark and (mark.group(3) in REPORTS or mark.group(3) in MARKS):
             time = int(mark.group(1)) * 1_000_000 + int(mark.group(2))
-            yield time, EV_SYN, MARKS.get(mark.group(3), SYN_REPORT), 0
+            yield device, (time, EV_SYN, MARKS.get(mark.group(3), SYN_REPORT), 0)
         else:
             unreadable.add(UNREAD, number, line)

@@ -35,7 +35,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     lines = read_text(path).splitlines()
     if len(lines) < 2 or lines[0].strip() != FIRST or not lines[1].startswith(PREFIX):
         raise RecordingError(f"{path}: line 2 is not the header of a trace, expected {PREFIX},{{t_x_y}}")
-    lists = Lists()
+    lists = Lists(reading.sort)
     rows = [(row, line.split(",")) for row, line in enumerate(lines[2:]) if line.strip()]
     at = 0
     while at < len(rows):

@@ -10,14 +10,18 @@ import msgspec
 from pointpred.devices.hid import ReportDecoder, parse_descriptor
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.recordings.encodings import read_text, stem_of
-from pointpred.recordings.formats.evdev_frames import UnreadableLines, frames_of_counts, recording
+from pointpred.recordings.encodings import read_text
+from pointpred.recordings.formats.evdev_frames import (
+    Frames,
+    UnreadableLines,
+    frames_of_counts,
+    recording_of_devices,
+)
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.trials import join
 
 TITLE = "hid-recorder"
-REPORT = re.compile(r"E: (\d{1,10})\.(\d{6}) (\d{1,5})((?: [0-9a-fA-F]{2})*)\s*$")
-BYTES = re.compile(r"R: (\d{1,5})((?: [0-9a-fA-F]{2})*)\s*$")
+REPORT = re.compile(r"(\d{1,10})\.(\d{6}) (\d{1,5})((?: [0-9a-fA-F]{2})*)")
+BYTES = re.compile(r"(\d{1,5})((?: [0-9a-fA-F]{2})*)")
 CLOCK = "hid-recorder's own stamps, us from the first report"
 
 
@@ -44,45 +48,46 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     and counted in notes; devices without relative x and y are named in a note.
     Raises RecordingError, naming the line of a descriptor that cannot be read.
     """
-    devices: dict[int, _Device] = {}
+    devices: list[_Device] = []
+    numbers: dict[int, _Device] = {}
     current, row = 0, 0
     unreadable = UnreadableLines()
     for number, line in enumerate(read_text(path).splitlines(), 1):
-        device = devices.setdefault(current, _Device())
-        if line.startswith("D: "):
-            if not re.fullmatch(r"D: \d{1,3}\s*", line):
+        letter, _, rest = (part.strip() for part in line.partition(":"))
+        if current not in numbers or (letter == "R" and numbers[current].events):
+            numbers[current] = _Device()  # the number of a device in another recording, too
+            devices.append(numbers[current])
+        device = numbers[current]
+        if letter == "D":
+            if not re.fullmatch(r"\d{1,3}", rest):
                 raise RecordingError(f"{path}: line {number} is {line[:60]!r}, expected D: and a number")
-            current = int(line[3:])
-        elif line.startswith("N: "):
-            device.name = line[3:].strip()
-        elif line.startswith("R: "):
-            _describe(path, number, line, device)
-        elif line.startswith("E: "):
-            why = _report(line, device, row)
+            current = int(rest)
+        elif letter == "N":
+            device.name = rest
+        elif letter == "R":
+            _describe(path, number, rest, device)
+        elif letter == "E":
+            why = _report(rest, device, row)
             if why:
                 unreadable.add(f"reports that cannot be read ({why})", number, line)
             row += 1
-        elif line.strip() and line[0] not in "#I":
+        elif line.strip() and letter != "I" and line[0] != "#":
             unreadable.add("lines that are neither R:, N:, I:, E: nor D:", number, line)
-    parts: list[Recording] = []
-    notes: list[str] = []
-    for device in devices.values():
-        if any(event[1] or event[2] for event in device.events):
-            aside = [f"reports without motion or button left aside: {device.aside}"] if device.aside else []
-            frames = frames_of_counts(device.events, device.rows, aside)
-            parts.append(recording(path, "hid-recorder", device.name, frames, reading, CLOCK))
-        elif device.name or device.descriptor:
-            why = device.why or f"no motion in {len(device.events)} reports"
-            notes.append(f"device {device.name!r}: {why}")
-    notes += unreadable.notes
-    if not parts:
-        raise RecordingError(f"{path}: {'; '.join(notes) or 'no device'}, expected a mouse that moves")
-    return join(stem_of(path), parts, [str(index) for index in range(len(parts))], notes)
+    streams = [(device.name, _frames(device)) for device in devices if device.name or device.descriptor]
+    return recording_of_devices(path, "hid-recorder", streams, unreadable, reading, CLOCK)
 
 
-def _describe(path: Path, number: int, line: str, device: _Device) -> None:
+def _frames(device: _Device) -> Frames | str:
+    """The frames of a device, or a text about its content if nothing moves."""
+    if not any(event[1] or event[2] for event in device.events):
+        return device.why or f"no motion in {len(device.events)} reports, expected a mouse that moves"
+    aside = [f"reports without motion or button left aside: {device.aside}"] if device.aside else []
+    return frames_of_counts(device.events, device.rows, aside)
+
+
+def _describe(path: Path, number: int, rest: str, device: _Device) -> None:
     """Store a device's report descriptor, or the reason why it is not a mouse's."""
-    match = BYTES.match(line)
+    match = BYTES.fullmatch(rest)
     data = bytes.fromhex(match.group(2)) if match else b""
     if not match or int(match.group(1)) != len(data):
         raise RecordingError(f"{path}: line {number}: {len(data)} bytes, expected as many as R: says")
@@ -92,9 +97,9 @@ def _describe(path: Path, number: int, line: str, device: _Device) -> None:
         device.why = str(error)
 
 
-def _report(line: str, device: _Device, row: int) -> str:
+def _report(rest: str, device: _Device, row: int) -> str:
     """Process one report of a device; returns why it cannot be read, or an empty text."""
-    match = REPORT.match(line)
+    match = REPORT.fullmatch(rest)
     if not match:
         return "expected E: s.us, a size and its bytes"
     data = bytes.fromhex(match.group(4))

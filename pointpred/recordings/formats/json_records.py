@@ -33,15 +33,20 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     In JSON lines each line is a record; a damaged last line is ignored with a note.
     Raises RecordingError, also above 2^28 characters. Memory: about 11 bytes a character.
     """
+    document, notes = document_in(path)
+    table = table_at(path, document, reading.records, TITLE)
+    return ColumnTable(table.columns, table.format, (*table.notes, *notes))
+
+
+def document_in(path: Path) -> tuple[Any, list[str]]:
+    """The value of a file, or the list of the values of its lines, and notes; raises RecordingError."""
     text = read_text(path)
     if len(text) > MOST_CHARACTERS:
         raise RecordingError(
             f"{path}: {len(text)} characters, at most {MOST_CHARACTERS} are read as JSON; "
             "split the file, or save its records as CSV"
         )
-    document, notes = _document(path, SURROGATE.sub(_paired, text))
-    table = table_at(path, document, reading.records, TITLE)
-    return ColumnTable(table.columns, table.format, (*table.notes, *notes))
+    return _document(path, SURROGATE.sub(_paired, text))
 
 
 def _document(path: Path, text: str) -> tuple[Any, list[str]]:

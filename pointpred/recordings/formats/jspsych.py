@@ -62,7 +62,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     conditions. Raises RecordingError.
     """
     text = read_text(path)
-    lists = Lists()
+    lists = Lists(reading.sort)
     rows = list(_json(path, text, lists) if text.lstrip()[:1] in "[{" else _csv(path))
     tracked = [row for row in rows if row.cells.get(DATA) not in (None, "")]
     conditions, column_notes = row_conditions(

@@ -13,16 +13,15 @@ import yaml
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.recordings.encodings import open_text, stem_of
+from pointpred.recordings.encodings import open_text
 from pointpred.recordings.formats.evdev_frames import (
     Frames,
     RawEvent,
     UnreadableLines,
     frames,
-    recording,
+    recording_of_devices,
 )
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.trials import join
 
 TITLE = "libinput record YAML"
 LOADER: Any = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
@@ -48,22 +47,12 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     ignored; devices that never move and lines that cannot be read are named in notes.
     Memory: one device's frames. Raises RecordingError when no device moves or the YAML is broken.
     """
-    parts: list[Recording] = []
-    still: list[str] = []
     unreadable = UnreadableLines()
     clock = "kernel stamps, us from the recording's start, monotonic"
     with open_text(path) as file:
-        for index, lines in groupby(_lines(file), itemgetter(0)):
-            name, stream = _device(path, index, lines, unreadable)
-            if isinstance(stream, str):
-                still.append(f"device {name}: {stream}")
-            else:
-                parts.append(recording(path, "libinput", name, stream, reading, clock))
-    notes = [*still, *unreadable.notes]
-    if not parts:
-        why = "; ".join(notes) or "no devices, expected a list of them under devices:"
-        raise RecordingError(f"{path}: {why}")
-    return join(stem_of(path), parts, [str(index) for index in range(len(parts))], notes)
+        lines = groupby(_lines(file), itemgetter(0))
+        devices = (_device(path, index, some, unreadable) for index, some in lines)
+        return recording_of_devices(path, "libinput", devices, unreadable, reading, clock)
 
 
 def _lines(file: Iterable[str]) -> Iterator[Line]:

@@ -41,7 +41,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     users, column, notes = people_of(path, rows, USERS)
     aside: set[str | None] = {*required, "item"}
     conditions, column_notes = row_conditions(rows, aside | {column})
-    lists = Lists()
+    lists = Lists(reading.sort)
     empty = 0
     for row, (cells, user, condition) in enumerate(zip(rows, users, conditions, strict=True)):
         for item in items:

@@ -69,6 +69,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         np.repeat(np.arange(len(begins), dtype=np.int64), sizes),
         trials,
         faults=faults,
+        sort=reading.sort,
         provenance=Provenance(
             "pointing-dynamics", "m", "the axis' zero", "one axis", "the experiment's clock, s", reading.dpi
         ),

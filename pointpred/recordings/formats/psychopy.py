@@ -67,7 +67,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     mice = _mice(names)
     arrow_tables.need_columns(path, names, [f"{mouse}.time" for mouse in mice or ["mouse"]], names)
     rows = table.to_pylist()
-    lists = Lists()
+    lists = Lists(reading.sort)
     unit, unit_notes = unit_of(rows)
     gain = gain_of(path, unit or "pix", reading)
     users, column, more = people_of(path, rows, USERS)

@@ -17,7 +17,7 @@ from pointpred.drawing import Picture
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
-from pointpred.recording import Skip
+from pointpred.recording import Skip, kinds_of
 from pointpred.records import FloatArray
 from pointpred.scoring.report.figures import (
     MOST_LINES,
@@ -332,13 +332,9 @@ def write_report(scores: Sequence[SetScore], path: str | Path) -> None:
 
 def _shown(score: SetScore) -> Shown:
     summary = ranked(summarise(score))
-    reasons: dict[str, list[Skip]] = {}
-    for skip in summary.skipped:
-        reasons.setdefault(skip.reason, []).append(skip)
-    frequent = sorted(reasons, key=lambda reason: -len(reasons[reason]))
     return Shown(
         summary,
-        tuple((reason, tuple(reasons[reason])) for reason in frequent),
+        tuple((kind, tuple(some)) for kind, some in kinds_of(summary.skipped)),
         tuple((p.name, skip) for p in summary.predictors for skip in p.failed),
         _drawn(score, summary) if score.trials else None,
     )

@@ -1,0 +1,93 @@
+"""A column of buttons: as numbers, or as the words that programs write for them."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+
+from pointpred.errors import RecordingError
+from pointpred.recordings import arrow_tables
+from pointpred.recordings.columns.names import VAGUE, words_of
+from pointpred.recordings.trials import MOST_BUTTONS, codes_of
+from pointpred.records import FloatArray
+
+WHICH = {
+    **dict.fromkeys(("left", "primary"), 1.0),
+    **dict.fromkeys(("right", "secondary"), 2.0),
+    **dict.fromkeys(("middle", "mid"), 4.0),
+    **dict.fromkeys(("side", "back", "x1"), 8.0),
+    **dict.fromkeys(("extra", "forward", "x2"), 16.0),
+}
+"""The bits of W3C pointer events."""
+_DEVICE = "(mouse|pointer|touch|cursor|pen|button|btn|click)"
+_BUTTON = f"({'|'.join(WHICH)})?"
+_UP = "up|released?|mov(ed?|ing)|motion|hover|end|cancel|enter|leave|over|out|(scroll|wheel)(ed)?(up|down)?"
+_DOWN = "down|press(ed)?|(dbl|double)click(ed)?|clicked|drag(ged|ging)?|start|held"
+WORD = re.compile(
+    f"{_DEVICE}*(?P<which>{_BUTTON}){_DEVICE}*((?P<up>{_UP})|(?P<down>{_DOWN}))?{_DEVICE}*(?P<last>{_BUTTON})"
+)
+"""A device, its button and what happened to it, each of which may be missing."""
+YES, NO = ("true", "yes"), ("false", "no", "none", "")
+CERTAIN = re.compile(f"{_DEVICE}|up|release|down|press|drag|left|right|middle|primary|secondary")
+"""Words that mark a column named ``state`` as the buttons' state."""
+
+
+def pressed(cell: str) -> float:
+    """The buttons of a cell, NaN if it is not a value of buttons.
+
+    >>> [pressed(cell) for cell in ("3", "mouseup", "click_pressed", "Button.right", "BTN_LEFT", "target")]
+    [3.0, 0.0, 1.0, 2.0, 1.0, nan]
+    """
+    try:
+        number = float(cell)
+        return number if 0 <= number <= MOST_BUTTONS and number == int(number) else float("nan")
+    except ValueError:
+        word = re.sub(r"[\W_]+", "", cell.lower())
+    if word in (*YES, *NO):
+        return float(word in YES)
+    found = WORD.fullmatch(word)
+    if found is None:
+        return float("nan")
+    which = found["which"] or found["last"]
+    if found["up"]:
+        return 0.0
+    return WHICH[which or "left"] if found["down"] or which or "click" in word else float("nan")
+
+
+def buttons_of(path: Path, name: str, column: Any, explicit: bool) -> FloatArray | None:
+    """Pressed buttons as W3C pointer events number them, 0 for an empty cell.
+
+    A column that the user named (``explicit``) must hold buttons, else RecordingError names the wrong cell;
+    for a column with a usual name the answer is then ``None``; ``state`` must hold words for buttons.
+    """
+    if not explicit and words_of(name) in [[vague] for vague in VAGUE] and not _is_certain(column):
+        return None
+    if pa.types.is_boolean(column.type) or not arrow_tables.is_words(column):
+        values = np.nan_to_num(arrow_tables.numbers(column)[0])
+        bad = np.flatnonzero((values < 0) | (values > MOST_BUTTONS) | (values != np.floor(values)))
+        cell = str(values[bad[0]]) if len(bad) else ""
+    else:
+        codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
+        values = np.array([pressed(cell) for cell in cells] or [0.0])[codes]
+        bad = np.flatnonzero(np.isnan(values))
+        cell = cells[codes[bad[0]]] if len(bad) else ""
+    if not len(bad):
+        return values
+    if not explicit:
+        return None
+    raise RecordingError(
+        f"{path}: data row {bad[0]}: {name} is {arrow_tables.short(cell)!r}, expected buttons: "
+        "a whole number, or words such as down, mouseup, right, Button.left, BTN_LEFT, click_pressed"
+    )
+
+
+def _is_certain(column: Any) -> bool:
+    """Whether cells are words used only for buttons."""
+    if not arrow_tables.is_words(column):
+        return False
+    _, cells = codes_of(arrow_tables.words(column).fill_null(""))
+    return any(pressed(cell) == pressed(cell) and CERTAIN.match(cell.strip().lower()) for cell in cells)
