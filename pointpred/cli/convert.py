@@ -11,23 +11,30 @@ from pointpred.cli.output_files import Force, Out, check_recording
 from pointpred.cli.reading_options import as_given, recordings_in, to_read, with_reading
 from pointpred.console import counted, remarks
 from pointpred.errors import RecordingError
-from pointpred.recordings.reading import Reading
+from pointpred.recordings.reading import People, Reading
 
 
 @with_reading
 def convert(
-    source: Annotated[
-        Path,
+    sources: Annotated[
+        list[Path],
         typer.Argument(
-            callback=to_read, parser=as_given, help="A file in any format pointpred reads, or a folder."
+            callback=to_read, parser=as_given, help="Files in any format pointpred reads, or folders."
         ),
     ],
     out: Out,
+    join: Annotated[
+        People | None,
+        typer.Option(
+            metavar="file|folder|column",
+            help="Make one set of all files, a person each: named by the file, its folder, or its users.",
+        ),
+    ] = None,
     force: Force = False,
     *,
     reading: Reading,
 ) -> None:
-    """Convert a recording to pointpred's own format, and list what was skipped and why.
+    """Convert recordings to pointpred's own format, and list what was skipped and why.
 
     Reads GoFitts, Balabit and SapiMouse, jsPsych, rrweb, OpenSesame mousetrap, PsychoPy, pynput, evemu,
     evtest, getevent, libinput record and debug-events, hid-recorder, the Pointing Dynamics Dataset, its own
@@ -43,11 +50,17 @@ def convert(
       pointpred convert my.csv --columns t=time,x=px,y=py --time-unit ms --out my_samples.csv
 
       pointpred convert psychopy_data.csv --px-per-unit 1080 --out psychopy_samples.csv
-    """
-    check_recording(out, force or source.is_dir())
-    from pointpred.recordings import write_recordings
 
-    summary = write_recordings(recordings_in(source, reading), out, replace=force)
+      pointpred convert p*.csv --join file --out study_samples.parquet
+    """
+    check_recording(out, force or (join is None and (len(sources) > 1 or sources[0].is_dir())))
+    from pointpred.recordings import read_any, write_recordings
+
+    if join is None:
+        recordings = [one for source in sources for one in recordings_in(source, reading)]
+    else:
+        recordings = read_any(sources, reading, people=join)
+    summary = write_recordings(recordings, out, replace=force)
     for file in summary.files:
         typer.echo(file)
     screen_out = remarks()
@@ -60,4 +73,5 @@ def convert(
     if any(reason.startswith("time goes backwards") for reason in summary.skipped):
         screen_out.print("--sort keeps such trials: it sorts their samples by time", markup=False)
     if not summary.trials:
-        raise RecordingError(f"{source}: no trial could be read; see the reasons above")
+        names = ", ".join(map(str, sources))
+        raise RecordingError(f"{names}: no trial could be read; see the reasons above")

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from os.path import commonpath
 from pathlib import Path
@@ -11,12 +12,12 @@ from pathlib import Path
 import msgspec
 
 from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
-from pointpred.recording import Recording, Skip
+from pointpred.recording import Provenance, Recording, Skip
 from pointpred.recordings.addresses import address_in, local_copy
-from pointpred.recordings.encodings import encoding_of, head_of, text_in
+from pointpred.recordings.encodings import encoding_of, head_of, stem_of, text_in
 from pointpred.recordings.known_formats import FORMATS, Format, advice_on, format_of
-from pointpred.recordings.own import is_samples, samples_beside, trials_beside
-from pointpred.recordings.reading import AS_IS, Reading, TimeUnit
+from pointpred.recordings.own import SAMPLES, is_samples, samples_beside, trials_beside
+from pointpred.recordings.reading import AS_IS, People, Reading, TimeUnit
 from pointpred.recordings.stored import StoredRecording, stored
 from pointpred.recordings.trials import join, questions
 
@@ -28,10 +29,11 @@ ONE_TABLE = ("parquet", "delimited")
 
 
 def read_any(
-    path: str | Path,
+    path: str | Path | Sequence[str | Path],
     reading: Reading = AS_IS,
     progress: Progress | None = None,
     *,
+    people: People | None = None,
     columns: Mapping[str, str | int] | None = None,
     time_unit: TimeUnit | None = None,
     y_up: bool | None = None,
@@ -47,10 +49,16 @@ def read_any(
     format is named in a note, one that cannot be read is a skip named after it; an error is raised only if
     nothing can be read. ``progress`` is called before each file of a folder with its path, the number of
     files done, and their total. The keywords override the fields of ``reading``.
+
+    Several paths, or ``people``, make one recording of all files, a person each: named after the "file"
+    (unless said otherwise), its "folder", or the users in its "column". Conditions stay as they are; where a
+    person has a trial's name twice, the file's goes before it. All files must have one dpi and one cpi.
     Returns at least one recording; raises RecordingError naming the formats that were tried, ColumnsError
     for a table whose columns are not certain, and ParameterError for a keyword out of its bounds.
     """
-    path = _here(path)
+    paths = [_here(one) for one in ([path] if isinstance(path, str | Path) else path)]
+    if people is None and not isinstance(path, str | Path):
+        people = "file"
     unused = {
         "columns": None if columns is None else dict(columns),
         "time_unit": time_unit,
@@ -62,7 +70,12 @@ def read_any(
         reading, **{name: value for name, value in unused.items() if value is not None}
     )
     with text_in(reading.encoding):
-        parts = _folder(path, reading, progress) if path.is_dir() else [_file(path, reading)]
+        if people is not None:
+            parts = [_set(paths, people, reading, progress)]
+        elif paths[0].is_dir():
+            parts = _folder(paths[0], reading, progress)
+        else:
+            parts = [_file(paths[0], reading)]
     return [readable_recording(recording) for recording in parts]
 
 
@@ -201,6 +214,106 @@ def _join(parts: list[tuple[Path, Recording]]) -> Recording:
     folder = Path(commonpath([file.absolute().parent for file, _ in parts]))
     labels = [file.absolute().relative_to(folder).as_posix() for file, _ in parts]
     return join(folder.name, [part for _, part in parts], labels)
+
+
+def _set(paths: Sequence[Path], people: People, reading: Reading, progress: Progress | None) -> Recording:
+    """One recording of every file, in their order."""
+    found: list[Path] = []
+    notes: list[str] = []
+    for path in paths:
+        below, said = list_files(path) if path.is_dir() else ([path], [])
+        found, notes = found + below, notes + said
+    files = [file for file in dict.fromkeys(found) if not samples_beside(file)]
+    if not files:
+        raise RecordingError("no recording among no files", code="no_recording")
+    folder = Path(commonpath([file.absolute().parent for file in files]))
+    parts: dict[str, Recording] = {}
+    skipped: list[Skip] = []
+    for number, file in enumerate(files):
+        label = file.absolute().relative_to(folder).as_posix()
+        if progress is not None:
+            progress(label, number, len(files))
+        try:
+            parts[label] = _file(file, reading)
+        except (RecordingError, MissingExtraError) as error:
+            if error.code == "unknown_format":
+                notes.append(f"{label} fits no recording format")
+            else:
+                skipped.append(Skip(label, str(error)))
+    if not parts:
+        reasons = [skip.reason for skip in skipped] + notes
+        raise RecordingError(
+            "; ".join([f"{folder}: no recording among {len(files)} files", *reasons[:3]]), code="no_recording"
+        )
+    known, said = _with_people(parts, people, folder)
+    joined = join(folder.name, known, list(parts), [*said, *notes], unique=True)
+    return msgspec.structs.replace(joined, skipped=(*joined.skipped, *skipped), provenance=_provenance(parts))
+
+
+def _with_people(
+    parts: Mapping[str, Recording], people: People, folder: Path
+) -> tuple[list[Recording], list[str]]:
+    """The recordings with the person of each trial, whose trials have names of their own; and notes."""
+    stems = {label: stem_of(folder / label).removesuffix(SAMPLES) for label in parts}
+    often = Counter(stems.values())
+    stems = {label: stem if often[stem] == 1 else label for label, stem in stems.items()}
+    notes = []
+
+    def person(label: str, user: str) -> str:
+        if people == "file":
+            return stems[label]
+        return (folder / label).parent.name if people == "folder" else user
+
+    for label, part in parts.items():
+        users = {trial.user for trial in part.trials}
+        if people != "column" and len(users) > 1:
+            notes.append(f"{label}: its {len(users)} users count as one person, {person(label, '')}")
+    given = [(label, trial) for label, part in parts.items() for trial in part.trials]
+    twice = Counter((person(label, trial.user), trial.trial) for label, trial in given)
+    again = Counter((person(label, trial.user), label, trial.trial) for label, trial in given)
+    ambiguous = {who for (who, _), count in twice.items() if count > 1}
+
+    def named(label: str, user: str, trial: str) -> str:
+        who = person(label, user)
+        if who not in ambiguous:
+            return trial
+        return " ".join([stems[label], *[user] * (again[who, label, trial] > 1), trial])
+
+    replace = msgspec.structs.replace
+    return [
+        replace(
+            part,
+            trials=tuple(
+                replace(one, user=person(label, one.user), trial=named(label, one.user, one.trial))
+                for one in part.trials
+            ),
+            skipped=tuple(
+                replace(
+                    one,
+                    user=None if people == "column" and one.user is None else person(label, one.user or ""),
+                    trial=named(label, one.user or "", one.trial),
+                )
+                for one in part.skipped
+            ),
+        )
+        for label, part in parts.items()
+    ], notes
+
+
+def _provenance(parts: Mapping[str, Recording]) -> Provenance:
+    """That of all parts; raises RecordingError where they differ in what scoring needs of the whole set."""
+    labels, all_said = list(parts), [msgspec.to_builtins(part.provenance) for part in parts.values()]
+    whole = dict(all_said[0])
+    for label, said in zip(labels[1:], all_said[1:], strict=True):
+        for field, value in said.items():
+            if field in ("dpi", "cpi", "simulated") and value != whole[field]:
+                raise RecordingError(
+                    f"{label}: {field} is {value}, that of {labels[0]} {whole[field]}: one set has one of "
+                    "each; leave the others out, or say it with --cpi or --dpi"
+                )
+            if isinstance(value, str) and value not in whole[field].split(" and "):
+                whole[field] = f"{whole[field]} and {value}"
+    return Provenance(**whole)
 
 
 def list_files(folder: Path) -> tuple[list[Path], list[str]]:

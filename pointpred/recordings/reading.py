@@ -13,6 +13,8 @@ from pointpred.errors import ParameterError
 from pointpred.records import CPI, DPI, LARGEST
 
 Cut = Literal["clicks", "bursts", "whole"]
+People = Literal["file", "folder", "column"]
+"""What says who moved, where many files make one recording: the file's name, its folder's, or its users."""
 TimeUnit = Literal["s", "ms", "us", "ns", "iso"]
 FIELDS = ("t", "x", "y", "user", "trial", "buttons", "target_x", "target_y", "target_w", "dx", "dy")
 """The fields to which columns of a table can be mapped."""

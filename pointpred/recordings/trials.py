@@ -474,16 +474,21 @@ class Lists:
 
 
 def join(
-    name: str, parts: Sequence[Recording], labels: Sequence[str], notes: Sequence[str] = ()
+    name: str,
+    parts: Sequence[Recording],
+    labels: Sequence[str],
+    notes: Sequence[str] = (),
+    *,
+    unique: bool = False,
 ) -> Recording:
     """One recording of all trials, skips and notes of ``parts``, in their order.
 
-    With more than one part, trials are renamed ``<label> <trial>`` so that names stay unique. The provenance
-    is the first part's: join only recordings of one format. Memory: a copy of all tables.
+    With more than one part, trials are renamed ``<label> <trial>``, unless their names are ``unique``. The
+    provenance is the first part's: join only recordings of one format. Memory: a copy of all tables.
     """
 
     def named(label: str, trial: str) -> str:
-        return trial if len(parts) == 1 else f"{label} {trial}"
+        return trial if len(parts) == 1 or unique else f"{label} {trial}"
 
     tables = [part.rows(index) for part in parts for index in range(len(part.trials))]
     trials: list[Trial] = []
@@ -492,7 +497,7 @@ def join(
     for label, part in zip(labels, parts, strict=True):
         trials += [msgspec.structs.replace(trial, trial=named(label, trial.trial)) for trial in part.trials]
         skipped += [msgspec.structs.replace(skip, trial=named(label, skip.trial)) for skip in part.skipped]
-        all_notes += [named(f"{label}:", note) for note in part.notes]
+        all_notes += [note if len(parts) == 1 else f"{label}: {note}" for note in part.notes]
     return Recording.of(
         name, tables, _of_one_kind(trials), skipped, parts[0].provenance, [*all_notes, *notes]
     )
