@@ -42,7 +42,7 @@ COMMANDS = {
     "train": "Fit the coefficients of 'kinematic' to your own recordings, and score them beside the shipped "
     "ones.",
     "simulate": "Write a recording of simulated people pointing at targets on a circle.",
-    "convert": "Convert a recording to pointpred's own format, and list what was skipped and why.",
+    "convert": "Convert recordings to pointpred's own format, and list what was skipped and why.",
     "predictors": "List the predictors, or show one with its parameters, units, bounds and defaults.",
     "replay": "Play a recording to a service, or as the mouse of a page in a browser.",
     "reproduce": "Make a figure or table of the thesis or of the camera paper again, with its numbers beside "
