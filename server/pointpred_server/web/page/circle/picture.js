@@ -1,31 +1,15 @@
 // The picture of the circle task: its targets, the one to select, and where the last selection was.
 
 import { clearCanvas, colours } from "../drawing/canvas.js";
-import { clamp, disc, halo, line, MARKS } from "../drawing/marks.js";
+import { clamp, disc, halo, MARKS, segment } from "../drawing/marks.js";
 
 const HALO_PX = 6; // beyond the edge of the target
 const [THIN_PX, BROAD_PX] = [4, 8];
 
 /** @param {import("../drawing/marks.js").Pen} pen @param {import("../drawing/marks.js").Point} centre @param {number} reach @param {string} colour */
 function cross(pen, [x, y], reach, colour) {
-  line(
-    pen,
-    [
-      [x - reach, y - reach],
-      [x + reach, y + reach],
-    ],
-    colour,
-    2,
-  );
-  line(
-    pen,
-    [
-      [x - reach, y + reach],
-      [x + reach, y - reach],
-    ],
-    colour,
-    2,
-  );
+  segment(pen, [x - reach, y - reach], [x + reach, y + reach], colour, 2);
+  segment(pen, [x - reach, y + reach], [x + reach, y - reach], colour, 2);
 }
 
 /**
