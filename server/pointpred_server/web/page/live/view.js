@@ -70,6 +70,7 @@ let judged = true;
 let writeAt = 0;
 let frames = 0;
 /** @type {string|null} */ let ownVerdict = null; // the sentence on the person's own movement, while that of the demo is shown
+/** @type {import("./takes.js").Take|null} */ let judgedTake = null; // the simulated movement that the sentence is on
 /** @type {LiveCard["connection"]} */ let informed = null; // the connection that has the positions of the tiles
 /** @type {typeof import("./recordings.js")|null} */ let recordings = null; // the module of what the tiles stand for, which follows when the first prediction is there
 
@@ -122,7 +123,7 @@ function sendTiles() {
 function showPointer(now) {
   demo.pause();
   if (ownVerdict !== null) write(verdict, ownVerdict);
-  ownVerdict = null;
+  ownVerdict = judgedTake = null;
   const seconds = performance.now() / 1000,
     marks = cards.map((card) => card.mark(now));
   const { list, probabilities } = tiles;
@@ -209,7 +210,10 @@ function judgeMovement() {
   });
 }
 
+/** Writes how early the end of a simulated movement was predicted, once. @param {import("./takes.js").Take} take */
 function judgeDemo(take) {
+  if (take === judgedTake) return;
+  judgedTake = take;
   const { verdict: result, tile } = judge(take, first.select.value, tiles.list);
   if (result === null) return;
   ownVerdict ??= verdict.textContent;
