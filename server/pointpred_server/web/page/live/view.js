@@ -9,7 +9,6 @@ import { explainPredictors } from "../shell/glossary.js";
 import { accountOf, median, number } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
 import { LiveCard } from "./card.js";
-import { Comparison } from "./comparison.js";
 import { Demo, judge, positionAt } from "./demo.js";
 import { describe, RecentLeads } from "./earliness.js";
 import { Movement, speed } from "./movement.js";
@@ -58,7 +57,6 @@ const second = new LiveCard(part("live-card-1"), secondParameters, (prediction, 
   movement.addPrediction(1, prediction, name),
 );
 const cards = [first, second];
-const comparison = new Comparison(() => ({ predictor: first.select.value, parameters: first.parameters.values }));
 
 /** @type {SpeedStrip|null} */ let strip = null;
 let active = false;
@@ -83,7 +81,6 @@ function move(rows) {
   movement.move(rows);
   tiles.move(rows);
   for (const card of cards) card.connection?.send(rows);
-  comparison.send(rows);
 }
 
 function press(row) {
@@ -187,7 +184,6 @@ function writeNumbers(now, { marks, speed: pace, rate, delay }) {
   write(numbers.speed, number(pace));
   write(numbers.delay, number(delay ?? first.connection?.delay(), 2));
   marks.forEach((mark, i) => cards[i].fields.writeTimes(mark));
-  comparison.update();
 }
 
 /** Writes how early the end of the person's movement was predicted. */
@@ -230,7 +226,6 @@ export async function open() {
   loop.start();
   recordings?.open();
   await fillCards();
-  if (active) comparison.open();
 }
 
 /** Offers the predictors, and connects with the recommended one. */
@@ -256,7 +251,6 @@ export function close() {
   recordings?.close();
   tiles.clear();
   demo.close();
-  comparison.close();
   for (const card of cards) card.close();
 }
 

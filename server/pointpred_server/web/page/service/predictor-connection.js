@@ -74,11 +74,6 @@ export class PredictorConnection {
     return this.#connection.state;
   }
 
-  /** The newest delay, ms; null before the first prediction. @returns {number|null} */
-  get delayMs() {
-    return this.#connection.delayMs;
-  }
-
   /** The median delay of the last second, ms; NaN if there was no prediction. */
   delay() {
     const since = performance.now() - 1000;
