@@ -62,14 +62,14 @@ export class PageSocket {
     this.#retries.beginSession();
   }
 
-  /** Events as they are sent: all of them at once. @param {import("../pointpred.js").EventRow[]} rows */
+  /** Events as they are sent: all of them at once. @param {import("../index.d.ts").EventRow[]} rows */
   frames(rows) {
     return [
-      { frame: rows, last: /** @type {import("../pointpred.js").EventRow} */ (rows.at(-1))[0], count: rows.length },
+      { frame: rows, last: /** @type {import("../index.d.ts").EventRow} */ (rows.at(-1))[0], count: rows.length },
     ];
   }
 
-  /** @param {string|import("../pointpred.js").EventRow[]} frame a message as JSON, or rows of events */
+  /** @param {string|import("../index.d.ts").EventRow[]} frame a message as JSON, or rows of events */
   send(frame) {
     this.#waiting.push(frame);
     if (this.#runs) return;

@@ -142,7 +142,7 @@ class Places {
     this.#pipeline.enter(this.#options.page, -window.scrollX, -window.scrollY);
   }
 
-  /** @param {import("../pointpred.js").EventRow[]} rows */
+  /** @param {import("../index.d.ts").EventRow[]} rows */
   #follow(rows) {
     if (this.#pipeline === null) return;
     for (const [t, x, y, , , buttons] of rows) {

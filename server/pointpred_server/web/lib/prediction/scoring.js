@@ -45,10 +45,10 @@ const REASONS = new Map([
 /**
  * The score of a trial as offline, where pipelines are reset at the onset of the movement. The page stays free meanwhile.
  * @param {{rows: number[][], count: number}} trial @param {import("./pipeline.js").Pipeline} pipeline a fresh one
- * @returns {Promise<import("../pointpred.js").Score>}
+ * @returns {Promise<import("../index.d.ts").Score>}
  */
 export async function scoreOf({ rows, count }, pipeline) {
-  /** @returns {import("../pointpred.js").Score} */
+  /** @returns {import("../index.d.ts").Score} */
   const unscored = (events, reason) => ({ type: "score", events, ...NO_SCORE, reason });
   if (count > MOST_EVENTS) return unscored(count, `has ${count} events, at most ${MOST_EVENTS} are scored`);
   const cut = new Float64Array(cutting.CUTS);

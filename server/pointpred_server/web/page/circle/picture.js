@@ -14,7 +14,7 @@ function cross(pen, [x, y], reach, colour) {
 
 /**
  * @param {HTMLCanvasElement} canvas
- * @param {{places: number[][], width: number, current: number | null, last: import("./task.js").Trial | null, prediction: import("../../lib/pointpred.js").Prediction | null,
+ * @param {{places: number[][], width: number, current: number | null, last: import("./task.js").Trial | null, prediction: import("../../lib/index.d.ts").Prediction | null,
  *   probabilities?: number[], proposed?: number | null}} scene `probabilities` of the targets are shown as the opacity of
  *   their halos; that of the proposed one is broad
  */

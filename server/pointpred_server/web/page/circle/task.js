@@ -3,8 +3,8 @@
 import { circle } from "./geometry.js";
 
 /**
- * @typedef {import("../../lib/pointpred.js").EventRow} Row
- * @typedef {import("../../lib/pointpred.js").Goal} Goal
+ * @typedef {import("../../lib/index.d.ts").EventRow} Row
+ * @typedef {import("../../lib/index.d.ts").Goal} Goal
  * @typedef {{block: number, number: number, from: [number, number], target: [number, number], width: number,
  *   distance: number, start: Row, end: Row, hit: boolean, rows: Row[]}} Trial `rows`: after `start`, up to `end`
  */

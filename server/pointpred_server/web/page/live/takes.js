@@ -49,7 +49,7 @@ function transform(rows, [startX, startY], [endX, endY]) {
 
 /**
  * Requests the movements and their predictions one after another, over a connection of its own.
- * @param {{predictor: string, parameters: Object<string, number>, tiles: import("../../lib/pointpred.js").Target[], width: number, height: number}} scene
+ * @param {{predictor: string, parameters: Object<string, number>, tiles: import("../../lib/index.d.ts").NamedTarget[], width: number, height: number}} scene
  * @param {(take: Take) => void} onTake @param {AbortSignal} signal
  */
 export async function requestTakes({ predictor, parameters, tiles, width, height }, onTake, signal) {
@@ -116,7 +116,7 @@ function answersTo(connection, rows, offset) {
   });
 }
 
-/** The tile that is predicted after each event. @param {number[]} times s @param {import("../../lib/pointpred.js").Choice[]} choices */
+/** The tile that is predicted after each event. @param {number[]} times s @param {import("../../lib/index.d.ts").Choice[]} choices */
 export function proposedAt(times, choices) {
   let next = 0,
     /** @type {string|null} */ proposed = null;

@@ -7,7 +7,7 @@ const HEIGHT_PX = 56;
 const MOST_PX = 160; // wide
 const EDGE_PX = 48; // below them stands what they are
 
-/** The tiles of a picture of this size, side by side at its lower edge. @returns {import("../../lib/pointpred.js").Target[]} */
+/** The tiles of a picture of this size, side by side at its lower edge. @returns {import("../../lib/index.d.ts").NamedTarget[]} */
 export function row(width, height) {
   const step = width / COUNT,
     tileWidth = Math.round(Math.min(MOST_PX, 0.8 * step));
@@ -20,7 +20,7 @@ export function row(width, height) {
   }));
 }
 
-/** Whether a point lies on a tile. @param {import("../../lib/pointpred.js").Target} tile */
+/** Whether a point lies on a tile. @param {import("../../lib/index.d.ts").NamedTarget} tile */
 export const contains = (tile, x, y) =>
   x >= tile.x && x <= tile.x + tile.width && y >= tile.y && y <= tile.y + tile.height;
 
@@ -31,7 +31,7 @@ export const contains = (tile, x, y) =>
 export const opacitiesOf = (probabilities, mark) =>
   Object.fromEntries(Object.entries(probabilities).map(([id, p]) => [id, p * (mark?.opacity ?? 0)]));
 
-/** The id of what is predicted after a choice, given what was before; null: none. @param {string|null} before @param {import("../../lib/pointpred.js").Choice} choice @returns {string|null} */
+/** The id of what is predicted after a choice, given what was before; null: none. @param {string|null} before @param {import("../../lib/index.d.ts").Choice} choice @returns {string|null} */
 export function proposedAfter(before, { id, action, reason }) {
   if (reason === "entered") return before; // not a prediction
   if (action === "propose") return id;
@@ -41,7 +41,7 @@ export function proposedAfter(before, { id, action, reason }) {
 /** Knows where the tiles are, how likely each is, and what became of the proposals. */
 export class Tiles {
   ledger = new Ledger();
-  /** @type {import("../../lib/pointpred.js").Target[]} */ list = [];
+  /** @type {import("../../lib/index.d.ts").NamedTarget[]} */ list = [];
   /** By the tile's id. @type {Object<string, number>} */ probabilities = {};
   /** @type {string|null} */ proposed = null;
   /** @type {string|null} */ #under = null;
@@ -55,12 +55,12 @@ export class Tiles {
     return true;
   }
 
-  /** @param {import("../../lib/pointpred.js").Prediction} prediction */
+  /** @param {import("../../lib/index.d.ts").Prediction} prediction */
   addPrediction({ targets }) {
     if (targets && this.#pressed === null) this.probabilities = Object.fromEntries(targets.map(({ id, p }) => [id, p]));
   }
 
-  /** @param {import("../../lib/pointpred.js").Choice} choice */
+  /** @param {import("../../lib/index.d.ts").Choice} choice */
   addChoice(choice) {
     if (choice.reason === "entered") return; // only predictions are highlighted
     const t = /** @type {number} */ (choice.t); // of an event: what is proposed has one

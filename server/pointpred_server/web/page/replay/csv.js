@@ -182,7 +182,7 @@ async function isOwnFormat(file) {
  * Reads a table of samples, and its table of trials if it is among the files.
  * @param {File[]} files
  * @returns {Promise<{name: string, dpi: number, cpi: number|null, simulated: boolean, skipped: number, reason: string,
- *   movements: {name: string, user: string, rows: import("../../lib/pointpred.js").EventRow[], target: import("../../lib/pointpred.js").Goal|null}[]}>} `skipped` movements cannot be shown,
+ *   movements: {name: string, user: string, rows: import("../../lib/index.d.ts").EventRow[], target: import("../../lib/index.d.ts").Goal|null}[]}>} `skipped` movements cannot be shown,
  *   the first for this `reason`
  */
 export async function readFiles(files) {

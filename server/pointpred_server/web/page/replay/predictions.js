@@ -26,13 +26,13 @@ function nextMessage(connection, name, accept) {
 
 /**
  * The prediction of a predictor after each event of a movement.
- * @param {import("../../lib/pointpred.js").EventRow[]} rows @param {string} predictor
+ * @param {import("../../lib/index.d.ts").EventRow[]} rows @param {string} predictor
  * @param {{dpi: number, cpi: number|null}} resolution
  * @returns {Promise<import("./picture.js").Column>}
  */
 export async function predictionsAlong(rows, predictor, { dpi, cpi }) {
   const page = inPage();
-  /** @type {import("../../lib/pointpred.js").Options} */
+  /** @type {import("../../lib/index.d.ts").ConnectOptions} */
   const options = {
     page,
     predictor,

@@ -24,7 +24,7 @@ const SERVICE_TEXTS = {
 const MOST_DELAYS = 4000;
 
 /**
- * @typedef {import("../../lib/pointpred.js").Messages} Messages
+ * @typedef {import("../../lib/index.d.ts").Messages} Messages
  * @typedef {Messages["prediction"] & {mixture?: import("../../lib/prediction/mixture.js").Mixture|null}} Prediction with what the
  *   page knows beyond one law
  * @typedef {{[Name in "state"|"prediction"|"score"|"choice"|"cursor"|"error"]?: (message: Messages[Name]) => void}} Handlers
@@ -45,7 +45,7 @@ export class PredictorConnection {
   /**
    * @param {string} predictor
    * @param {Handlers} handlers
-   * @param {import("../../lib/pointpred.js").Options} options
+   * @param {import("../../lib/index.d.ts").ConnectOptions} options
    */
   constructor(predictor, handlers = {}, options = {}) {
     this.predictor = predictor;
@@ -86,17 +86,17 @@ export class PredictorConnection {
     return this.#connection.welcome?.predictor ?? this.predictor;
   }
 
-  /** @param {import("../../lib/pointpred.js").EventRow[]} rows */
+  /** @param {import("../../lib/index.d.ts").EventRow[]} rows */
   send(rows) {
     this.#connection.send(rows);
   }
 
-  /** @param {import("../../lib/pointpred.js").Target[]} list */
+  /** @param {import("../../lib/index.d.ts").NamedTarget[]} list */
   setTargets(list) {
     this.#connection.targets(list);
   }
 
-  /** @param {"start"|"end"} action @param {import("../../lib/pointpred.js").Goal} goal */
+  /** @param {"start"|"end"} action @param {import("../../lib/index.d.ts").Goal} goal */
   trial(action, goal) {
     this.#connection.trial(action, goal);
   }
@@ -113,7 +113,7 @@ export class PredictorConnection {
     this.#connection.configure({ predictor, parameters });
   }
 
-  /** @param {import("../../lib/pointpred.js").Options["assist"]} assist */
+  /** @param {import("../../lib/index.d.ts").ConnectOptions["assist"]} assist */
   setAssistance(assist) {
     this.#connection.configure({ assist });
   }

@@ -11,7 +11,7 @@ export const samples = async () => (await read(LISTING)).samples;
 /**
  * A movement as columns.
  * @param {string} name
- * @returns {Promise<{user: string, target: import("../../lib/pointpred.js").Goal|null, dpi: number, cpi: number|null, t: number[], x: number[], y: number[],
+ * @returns {Promise<{user: string, target: import("../../lib/index.d.ts").Goal|null, dpi: number, cpi: number|null, t: number[], x: number[], y: number[],
  *   dx: (number|null)[], dy: (number|null)[], buttons: number[]}>} t in s from 0
  */
 export const sample = (name) => read(hasService ? `/v1/samples/${encodeURIComponent(name)}` : `samples/${name}.json`);

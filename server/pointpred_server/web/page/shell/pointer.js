@@ -1,6 +1,6 @@
 // The pointer over an element: every coalesced sample as a row [t, x, y, dx, dy, buttons] of the service.
 
-/** @typedef {import("../../lib/pointpred.js").EventRow} Row */
+/** @typedef {import("../../lib/index.d.ts").EventRow} Row */
 
 /** A sample relative to a corner of the viewport; browsers report no device counts. @param {PointerEvent} event @param {number[]} corner @returns {Row} */
 function row(event, [left, top]) {
