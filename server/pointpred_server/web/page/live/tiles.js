@@ -1,6 +1,9 @@
 // The row of tiles in the live picture: targets that light up by how likely the pointer is heading for them.
 
+import * as law from "../../lib/laws/targets/ledger.js";
+import { keyOf } from "../../lib/prediction/blake2b.js";
 import { Ledger } from "../../lib/prediction/ledger.js";
+import { Account } from "../shell/account.js";
 
 const COUNT = 5;
 const HEIGHT_PX = 56;
@@ -40,10 +43,11 @@ export function proposedAfter(before, { id, action, reason }) {
 
 /** Knows where the tiles are, how likely each is, and what became of the proposals. */
 export class Tiles {
-  ledger = new Ledger();
+  /** Of the movements to tiles. */ account = new Account();
   /** @type {import("../../lib/index.d.ts").NamedTarget[]} */ list = [];
   /** By the tile's id. @type {Object<string, number>} */ probabilities = {};
   /** @type {string|null} */ proposed = null;
+  #ledger = new Ledger();
   /** @type {string|null} */ #under = null;
   /** @type {number[]|null} */ #pressed = null; // where the last movement ended: until the pointer leaves that point, it heads for no tile
 
@@ -66,8 +70,10 @@ export class Tiles {
     const t = /** @type {number} */ (choice.t); // of an event: what is proposed has one
     this.proposed = proposedAfter(this.proposed, choice);
     if (this.#pressed === null) this.probabilities[choice.id] = choice.p;
-    if (choice.action === "propose") this.ledger.propose(t, choice.id);
-    else this.ledger.withdraw(t, choice.id);
+    const { account } = this.#ledger,
+      key = keyOf(choice.id);
+    if (choice.action === "propose") law.note_proposal(account, this.#ledger.withRoom(1), t, key);
+    else law.note_end(account, this.#ledger.withRoom(0), t, key, false);
   }
 
   /** The tile at a point. @returns {string|null} */
@@ -79,7 +85,8 @@ export class Tiles {
   move(rows) {
     for (const [t, x, y] of rows) {
       const under = this.at(x, y);
-      if (under !== null && under !== this.#under) this.ledger.enter(t, under);
+      if (under !== null && under !== this.#under)
+        law.note_entry(this.#ledger.account, this.#ledger.withRoom(1), t, keyOf(under));
       this.#under = under;
       if (this.#pressed !== null && (x !== this.#pressed[0] || y !== this.#pressed[1])) this.#pressed = null;
     }
@@ -89,9 +96,13 @@ export class Tiles {
   press([t, x, y]) {
     const id = this.at(x, y);
     [this.probabilities, this.#pressed] = [{}, [x, y]];
-    if (id !== null) return { lead_s: this.ledger.finish(t, id).lead_entry_s };
-    this.ledger.drop();
-    return null;
+    if (id === null) {
+      this.#ledger.drop();
+      return null;
+    }
+    const movement = this.#ledger.close(t, keyOf(id));
+    this.account.add(movement);
+    return { lead_s: movement.lead_entry_s };
   }
 
   /** Forgets probabilities and proposals. */

@@ -6,7 +6,7 @@ import { SmoothRegions } from "../drawing/regions.js";
 import { predictors } from "../service/listing.js";
 import { cellsOf, part, write } from "../shell/elements.js";
 import { explainPredictors } from "../shell/glossary.js";
-import { accountOf, median, number } from "../shell/numbers.js";
+import { median, number } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
 import { LiveCard } from "./card.js";
 import { Demo, judge, positionAt } from "./demo.js";
@@ -86,7 +86,7 @@ function move(rows) {
 function press(row) {
   movement.press(row[0]);
   clickedTile = tiles.press(row);
-  write(ledger, accountOf(tiles.ledger) || ledger.textContent);
+  write(ledger, tiles.account.text || ledger.textContent);
 }
 
 function frame(now) {
