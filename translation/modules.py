@@ -47,7 +47,6 @@ def texts() -> dict[str, bytes]:
     }
     files["messages.js"] = messages_text().encode()
     files["fields.js"] = fields_text().encode()
-    files["descriptions.js"] = stages.descriptions_text().encode()
     files["parameters.d.ts"] = entries.types_text().encode()
     files |= {name: text.encode() for name, text in entries.registry_texts().items()}
     files["registry.js"] = stages.registry_text(pointpred.__version__).encode()

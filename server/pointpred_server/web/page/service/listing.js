@@ -1,13 +1,13 @@
 // The predictors that can be chosen, and what can be set of each.
 
-import { PREDICTORS } from "../../lib/laws/descriptions.js";
 import { RECOMMENDED } from "../../lib/laws/registry.js";
-import { describe } from "../../lib/prediction/description.js";
+import { describe } from "./description.js";
+import { PREDICTORS } from "./descriptions.js";
 import { read } from "./http.js";
 import { inPage } from "./place.js";
 
 /**
- * @typedef {{name: string, title: string, parameters?: import("../../lib/prediction/description.js").Described[]}} Listed
+ * @typedef {{name: string, title: string, parameters?: import("./description.js").Described[]}} Listed
  * @typedef {{recommended: string, predictors: Listed[]}} Listing
  */
 

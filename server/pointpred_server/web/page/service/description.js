@@ -1,7 +1,7 @@
 // What can be set of a predictor, as `pointpred.registry.describe` gives it in Python.
 
-import { DIFFERENTIATORS as OF_DIFFERENTIATORS, PREDICTORS as OF_PREDICTORS } from "../laws/descriptions.js";
-import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../laws/registry.js";
+import { DIFFERENTIATORS, GAINS, PREDICTORS } from "../../lib/laws/registry.js";
+import { DIFFERENTIATORS as OF_DIFFERENTIATORS, PREDICTORS as OF_PREDICTORS } from "./descriptions.js";
 
 /**
  * @typedef {{name: string, unit: string, low: number, high: number, default: number|null, meaning: string,
