@@ -1,6 +1,6 @@
 // A session in the page, with the interface of a socket to the service: the connection need not know which it has.
 
-import { Retries } from "./retries.js";
+import { Retries } from "./reconnecting.js";
 
 /** One session at a time. What is sent is answered after the code that runs now, events as they are and answers as objects. */
 export class PageSocket {

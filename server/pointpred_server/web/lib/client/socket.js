@@ -1,7 +1,7 @@
 // A WebSocket to the service that can be opened again; each attempt waits longer than the one before.
 
 import { frames } from "./frames.js";
-import { Retries } from "./retries.js";
+import { Retries } from "./reconnecting.js";
 
 const SUBPROTOCOL = "pointpred.v1";
 
