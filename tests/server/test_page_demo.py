@@ -101,7 +101,7 @@ def test_the_sample_and_its_file_are_replayed_and_other_formats_refused(
     visitor.wait(f"{readout}.includes('px off')")
     assert visitor.text("#replay-readout") == as_sample
     visitor.give_files({"foreign.csv": FOREIGN})
-    visitor.wait("document.querySelector('#replay-source').dataset.code === 'foreign'")
+    visitor.wait("document.querySelector('#replay-source').dataset.state === 'failed'")
     assert "pointpred convert" in visitor.text("#replay-source")
     assert visitor.text("#replay-readout") == as_sample
 
