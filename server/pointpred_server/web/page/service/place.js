@@ -6,20 +6,20 @@ const PARAMETER = "by";
 export const hasService = document.documentElement.dataset.service !== "none";
 
 let page = !hasService || new URLSearchParams(window.location.search).get(PARAMETER) !== "service";
-const listeners = new Set();
 
 /** Whether predictions are made in this page. @returns {boolean} */
 export const inPage = () => page;
 
-/** Calls `listener` whenever another place was chosen. @param {() => void} listener */
-export function onPlace(listener) {
-  listeners.add(listener);
-}
-
-/** Makes a select choose the place: the value "service", or any other for the page. @param {HTMLSelectElement} select */
-export function makePlaceSelect(select) {
+/**
+ * Makes a select choose the place: the value "service", or any other for the page.
+ * @param {HTMLSelectElement} select @param {() => void} onChoice is called whenever another was chosen
+ */
+export function makePlaceSelect(select, onChoice) {
   select.value = page ? "page" : "service";
-  select.addEventListener("change", () => choose(select.value));
+  select.addEventListener("change", () => {
+    choose(select.value);
+    onChoice();
+  });
 }
 
 function choose(place) {
@@ -28,5 +28,4 @@ function choose(place) {
   if (page) address.searchParams.delete(PARAMETER);
   else address.searchParams.set(PARAMETER, "service");
   window.history.replaceState(null, "", address);
-  for (const listener of listeners) listener();
 }
