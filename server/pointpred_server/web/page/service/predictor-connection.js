@@ -37,7 +37,6 @@ export const stateText = (state) => (inPage() ? PAGE_TEXTS : SERVICE_TEXTS)[stat
 export class PredictorConnection {
   /** @type {Prediction|null} */ latest = null;
   /** When `latest` was received, on the page's clock, ms. */ at = -Infinity;
-  /** Predictions received. */ received = 0;
   /** The newest error. @type {string|null} */ error = null;
   #connection;
   #delays = [];
@@ -53,7 +52,6 @@ export class PredictorConnection {
     this.#connection.on("prediction", (prediction) => {
       this.latest = { ...prediction, mixture: this.#connection.mixture };
       this.at = performance.now();
-      this.received += 1;
       this.#delays.push([this.at, this.#connection.delayMs]);
       if (this.#delays.length > MOST_DELAYS) this.#delays.splice(0, MOST_DELAYS / 2);
       handlers.prediction?.(prediction);
