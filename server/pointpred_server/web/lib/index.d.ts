@@ -105,6 +105,9 @@ export interface Firing {
 /** May return a function, or a promise of one, which is called when a highlight ends. */
 export type IntentCallback = (firing: Firing) => unknown;
 
+/** What a directive or an action of a framework takes: a callback, or a callback with options. */
+export type IntentBinding = IntentCallback | (IntentOptions & { callback: IntentCallback });
+
 /** A registered element. */
 export interface Handle {
   readonly element: Element;
