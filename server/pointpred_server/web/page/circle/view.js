@@ -2,19 +2,18 @@
 
 import { FrameLoop, onRepaint } from "../drawing/canvas.js";
 import { predictors } from "../service/listing.js";
-import { inPage } from "../service/place.js";
 import { ConnectionStatus, PredictorConnection } from "../service/predictor-connection.js";
+import { inPage } from "../service/service.js";
 import { Account } from "../shell/account.js";
 import { fillSelect, part, write } from "../shell/elements.js";
 import { count } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
 import { CircleChoices } from "./choices.js";
-import { circle } from "./geometry.js";
 import { drawCircle } from "./picture.js";
 import { showResult } from "./results.js";
 import { CircleRows } from "./rows.js";
 import { fitDistance, fitsPicture, overlapWarning, readSettings } from "./settings.js";
-import { CircleTask } from "./task.js";
+import { CircleTask, circle } from "./task.js";
 
 const SHOWN_MS = 500; // a prediction is drawn for this long
 const READY = ["open", "idle"]; // states of a connection in which a run can start: the next event opens an idle one
