@@ -120,7 +120,7 @@ def test_an_opened_file_is_predicted_in_the_page_as_in_python(
 def test_parameters_are_described_as_by_the_service(visitor: Visitor, url: str) -> None:
     visitor.open(url)
     differing = visitor.value(
-        "import('/web/page/service/description.js').then(async ({ describe }) => {"
+        "import('/web/page/service/listing.js').then(async ({ describe }) => {"
         "const { predictors } = await (await fetch('/v1/predictors')).json();"
         "const own = await Promise.all(predictors.map(({ name }) => describe(name)));"
         "const text = (one) => JSON.stringify(one, (_, value) =>"

@@ -11,7 +11,7 @@ import "./shell/glossary.js";
 import "./shell/snippet.js";
 import { refuseFiles } from "./replay/drop.js";
 import * as replay from "./replay/view.js";
-import { hasService, makePlaceSelect } from "./service/place.js";
+import { hasService, makePlaceSelect } from "./service/service.js";
 import { makeTabs } from "./shell/tabs.js";
 
 const PARTS = { live, device, circle, replay, assist };

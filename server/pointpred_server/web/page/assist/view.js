@@ -3,8 +3,8 @@
 import { clearCanvas, colours, FrameLoop, onRepaint } from "../drawing/canvas.js";
 import { disc, segment } from "../drawing/marks.js";
 import { predictors } from "../service/listing.js";
-import { inPage } from "../service/place.js";
 import { ConnectionStatus, PredictorConnection } from "../service/predictor-connection.js";
+import { inPage } from "../service/service.js";
 import { fillSelect, fillTable, part, write } from "../shell/elements.js";
 import { COUNTS, isSupported, PointerLock } from "./pointer-lock.js";
 import { Task } from "./task.js";

@@ -1,9 +1,7 @@
 // Simulated movements of the embedded sample, turned so that they end on a tile, with the prediction after each event.
 
 import { connect } from "../../lib/pointpred.js";
-import { token } from "../service/http.js";
-import { inPage } from "../service/place.js";
-import { sample, samples } from "../service/samples.js";
+import { inPage, sample, samples, token } from "../service/service.js";
 import { speed } from "./movement.js";
 import { proposedAfter } from "./tiles.js";
 

@@ -1,8 +1,7 @@
 // Predictions along a recorded movement: a session answers each of its events.
 
 import { connect } from "../../lib/pointpred.js";
-import { token } from "../service/http.js";
-import { inPage } from "../service/place.js";
+import { inPage, token } from "../service/service.js";
 
 const PART = 512; // events per message; the next message waits for the answers, so that none is dropped
 const PER_S = 10000; // that a service takes

@@ -3,7 +3,7 @@
 import { clearCanvas, onRepaint } from "../drawing/canvas.js";
 import { drawLegends } from "../drawing/legend.js";
 import { predictors } from "../service/listing.js";
-import { hasService, inPage } from "../service/place.js";
+import { hasService, inPage } from "../service/service.js";
 import { fillSelect, part, sentence, write } from "../shell/elements.js";
 import { number } from "../shell/numbers.js";
 import { acceptFiles } from "./drop.js";

@@ -3,8 +3,7 @@
 import { connect } from "../../lib/pointpred.js";
 import { write } from "../shell/elements.js";
 import { median } from "../shell/numbers.js";
-import { token } from "./http.js";
-import { inPage } from "./place.js";
+import { inPage, token } from "./service.js";
 
 const PAGE_TEXTS = {
   connecting: "Loading the predictor…",
