@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 
-import pointpred
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.stage import CompiledStage
 from translation import entries, stages
@@ -47,10 +46,9 @@ def texts() -> dict[str, bytes]:
     }
     files["messages.js"] = messages_text().encode()
     files["fields.js"] = fields_text().encode()
-    files["descriptions.js"] = stages.descriptions_text().encode()
     files["parameters.d.ts"] = entries.types_text().encode()
     files |= {name: text.encode() for name, text in entries.registry_texts().items()}
-    files["registry.js"] = stages.registry_text(pointpred.__version__).encode()
+    files["registry.js"] = stages.registry_text().encode()
     files[stages.COEFFICIENTS] = coefficients_text(coefficient_file.read(coefficient_file.OWN)).encode()
     here = Path(__file__).parent
     return files | {name: (here / name).read_bytes() for name in HAND_WRITTEN}

@@ -53,7 +53,6 @@ def _module(folder: str, address: str) -> str:
             *HAND_WRITTEN,
             "kinematic.js",
             "registry.js",
-            "descriptions.js",
             "messages.js",
             "fields.js",
         )

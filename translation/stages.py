@@ -64,11 +64,10 @@ def text_of(stage: type[CompiledStage]) -> str:
     return f"export const {stage.__name__} = {{\n" + "".join(f"  {part},\n" for part in parts) + "};"
 
 
-def registry_text(version: str) -> str:
+def registry_text() -> str:
     """The module that names every predictor and loads what it needs."""
     lines = [
         "// Written by `make laws` from the registry: change that and run it again.",
-        f"export const VERSION = {json.dumps(version)};",
         f"export const RECOMMENDED = {json.dumps(RECOMMENDED)};",
         f"export const GAINS = {object_text(GAINS)};",
         "export const PREDICTORS = {",

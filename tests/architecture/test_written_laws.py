@@ -14,6 +14,7 @@ import pytest
 from pointpred.compiled import COMPILED
 from translation.entries import entry_texts
 from translation.modules import texts, write
+from translation.stages import descriptions_text
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "server" / "pointpred_server" / "web" / "lib" / "laws"
@@ -51,6 +52,11 @@ def test_the_entries_in_the_repository_are_up_to_date() -> None:
     assert {path.name for path in (PAGE.parent / "entries").iterdir()} == set(expected), "run `make laws`"
     for name, text in expected.items():
         assert (PAGE.parent / "entries" / name).read_text("utf-8") == text, f"{name}: run `make laws`"
+
+
+def test_the_descriptions_in_the_repository_are_up_to_date() -> None:
+    path = PAGE.parent.parent / "page" / "service" / "descriptions.js"
+    assert path.read_text("utf-8") == descriptions_text(), "run `make laws`"
 
 
 def test_writing_removes_what_is_no_longer_made(tmp_path: Path) -> None:

@@ -71,7 +71,7 @@ def test_it_is_a_name_of_the_registry() -> None:
     ("script", "default"),
     [
         ("lib/laws/registry.js", r'^export const RECOMMENDED = "([^"]*)";'),
-        ("lib/pointpred.js", r'\[predictor\] a name of the registry; "([^"]*)" by default$'),
+        ("lib/index.d.ts", r'/\*\* `"([^"]*)"` by default\. A service'),
     ],
 )
 def test_the_scripts_say_it(script: str, default: str) -> None:

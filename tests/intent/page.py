@@ -6,7 +6,7 @@ from typing import Any
 
 from tests.server.page_browser import Visitor
 
-START = """Promise.all(["index", "register", "keyboard", "scroll"]
+START = """Promise.all(["index", "register", "later"]
   .map((name) => import(`/pointpred/intent/${name}.js`))).then(([module, { trackers }]) => {
   Object.assign(window, module, { trackers });
   window.ready = () => Promise.all([...trackers.values()].map(({ ready }) => ready));

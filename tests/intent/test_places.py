@@ -135,7 +135,7 @@ def test_places_are_scrolled_with_the_page(page: IntentPage) -> None:
             "unknown option precison; known: precision, page, ",
         ),
         ("onPlace(() => 0, { precision: 1 })", "precision must be a number in"),
-        ("onPlace(() => 0, { page: 3 })", "page must be a text, received 3"),
+        ("onPlace(() => 0, { page: 3 })", "page must be a string, received 3"),
     ],
 )
 def test_what_cannot_be_used_is_refused(page: IntentPage, call: str, message: str) -> None:

@@ -4,6 +4,9 @@ import { build } from "../../server/pointpred_server/web/lib/prediction/build.js
 import { Chooser, PlaceChooser } from "../../server/pointpred_server/web/lib/prediction/chooser.js";
 import { answer, attempt, given, numbers } from "./given.mjs";
 
+/** Where the account begins. */
+const TOTALS = ["movements", "proposed", "right", "hit", "wasted", "retracted", "entered"];
+
 const { name, targets, settings, steps } = await given();
 const pipeline = await build(name, { targets: targets ?? [] });
 const chooser = new (targets ? Chooser : PlaceChooser)(pipeline, settings);
@@ -27,7 +30,7 @@ const calls = {
   mixture: () => pipeline.mixture && { parts: pipeline.mixture.parts, offsets: pipeline.mixture.offsets },
   proposed: () => [chooser.standing, chooser.entered],
   person: () => pipeline.person,
-  summary: () => chooser.ledger.summary,
+  summary: () => Object.fromEntries(TOTALS.map((name, i) => [name, chooser.ledger.account[i]])),
 };
 const answers = [];
 for (const [call, ...args] of steps) answers.push(await attempt(() => calls[call](...args) ?? null));

@@ -14,6 +14,7 @@ from pointpred.targets import Choice, Chooser, PlaceChooser, Target
 from tests.page import node
 
 Steps = list[list[Any]]
+COUNTS = ("movements", "proposed", "right", "hit", "wasted", "retracted", "entered")
 Listed = list[dict[str, Any]] | None
 """Targets; ``None`` for a chooser of places."""
 
@@ -54,7 +55,7 @@ def in_python(name: str, steps: Steps, settings: dict[str, float], targets: List
         "likeliest": lambda most: [{"id": id, "p": p} for id, p in pipeline.aim.likeliest(most)],
         "mixture": lambda: json.loads(msgspec.json.encode(pipeline.mixture)),
         "proposed": lambda: [chooser.standing, chooser.entered],
-        "summary": lambda: chooser.ledger.summary(),
+        "summary": lambda: {name: chooser.ledger.summary()[name] for name in COUNTS},
     }
     answers = []
     for call, *given in steps:

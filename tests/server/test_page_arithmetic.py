@@ -36,13 +36,13 @@ def call(visitor: Visitor, module: str, expression: str, **given: Any) -> Any:
 
 @pytest.mark.parametrize(("distance", "count"), [(300.0, 13), (120.5, 3), (500.0, 41)])
 def test_targets_lie_where_the_simulation_puts_them(visitor: Visitor, distance: float, count: int) -> None:
-    placed = call(visitor, "page/circle/geometry", "m.circle(d, [10, 20], n)", d=distance, n=count)
+    placed = call(visitor, "page/circle/task", "m.circle(d, [10, 20], n)", d=distance, n=count)
     assert np.allclose(placed, positions(distance, (10.0, 20.0), count), atol=1e-9)
 
 
 def test_an_even_number_of_targets_is_refused(visitor: Visitor) -> None:
     attempt = "{ try { m.circle(100, [0, 0], 12) } catch (error) { return error.name } }"
-    assert call(visitor, "page/circle/geometry", attempt) == "RangeError"
+    assert call(visitor, "page/circle/task", attempt) == "RangeError"
 
 
 @pytest.mark.parametrize("tail", [None, 0.6, 1.4, 30.0, 1e-3, 1e15, 1e200])
@@ -183,16 +183,16 @@ def test_recordings_read_back_to_the_same_bits(visitor: Visitor, tmp_path: Path)
 
 
 @pytest.mark.parametrize(
-    ("text", "code"),
+    ("text", "sentence"),
     [
-        ("user,trial,t_s\nu,1,0\n", "bad_row"),
-        ('# pointpred: {"rows": 2}\na,b\n1,2\n', "wrong_count"),
+        ("user,trial,t_s\nu,1,0\n", "row 0 has 3 cells, expected 4"),
+        ('# pointpred: {"rows": 2}\na,b\n1,2\n', "1 rows, but its header says 2"),
     ],
 )
-def test_damaged_tables_are_refused(visitor: Visitor, text: str, code: str) -> None:
+def test_damaged_tables_are_refused(visitor: Visitor, text: str, sentence: str) -> None:
     damaged = text.replace("t_s\n", "t_s,x_px\n")
-    catch = "{ try { m.parse(text) } catch (error) { return error.code } }"
-    assert call(visitor, "page/replay/csv", catch, text=damaged) == code
+    catch = "{ try { m.parse(text) } catch (error) { return error.message } }"
+    assert call(visitor, "page/replay/csv", catch, text=damaged) == sentence
 
 
 def test_quoted_cells(visitor: Visitor) -> None:

@@ -51,10 +51,8 @@ def test_live_predicts_and_says_where(visitor: Visitor, address: str) -> None:
         "this",
         "page",
     ]
-    shown = (
-        "[...document.querySelectorAll('#place, #live-device, #live-compare')].map((one) => one.offsetParent)"
-    )
-    assert visitor.value(shown) == [None, None, None]
+    shown = "[...document.querySelectorAll('#place, #live-device')].map((one) => one.offsetParent)"
+    assert visitor.value(shown) == [None, None]
     left, top, width, height = visitor.corner("#live-scene")
     visitor.reach((left + 0.2 * width, top + 0.3 * height), (left + 0.8 * width, top + 0.5 * height), 0.5)
     visitor.wait("Number(document.querySelector('#live-scene').dataset.drawn) > 0")
@@ -103,7 +101,7 @@ def test_the_sample_and_its_file_are_replayed_and_other_formats_refused(
     visitor.wait(f"{readout}.includes('px off')")
     assert visitor.text("#replay-readout") == as_sample
     visitor.give_files({"foreign.csv": FOREIGN})
-    visitor.wait("document.querySelector('#replay-source').dataset.code === 'foreign'")
+    visitor.wait("document.querySelector('#replay-source').dataset.state === 'failed'")
     assert "pointpred convert" in visitor.text("#replay-source")
     assert visitor.text("#replay-readout") == as_sample
 

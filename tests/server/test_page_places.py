@@ -1,4 +1,4 @@
-"""Where the page predicts: in itself unless the service is chosen, and both compared in the live view."""
+"""Where the page predicts: in itself unless the service is chosen."""
 
 from __future__ import annotations
 
@@ -19,7 +19,6 @@ pytestmark = browser.needed
 
 LINES = {"live": "#live-card-0 .connection", "circle": "#circle-connection", "assist": "#assist-connection"}
 HERE, THERE = "Predicted in this page.", "Predicted by the service."
-SHOWN = "document.querySelector('#live-compared')"
 CHOSEN = "document.querySelector('#place').value"
 READOUT = "#replay-readout"
 
@@ -72,43 +71,6 @@ def test_the_page_predicts_unless_the_service_is_chosen_which_the_address_keeps(
     says(visitor, "live", HERE)
 
 
-def test_both_places_are_compared_on_the_same_movements_when_asked(visitor: Visitor, url: str) -> None:
-    visitor.open(f"{url}#live")
-    says(visitor, "live", HERE)
-    assert sockets(visitor) == set()
-    visitor.value("document.querySelector('#live-compare').click()")
-    visitor.wait("document.querySelector('#live-compare-status').textContent === 'Move over the picture.'")
-    move(visitor)
-    visitor.wait(f"Number({SHOWN}.dataset.events) > 50")
-    assert visitor.text("#live-compare-status") == "The predictions are equal."
-    assert visitor.value(f"Number({SHOWN}.dataset.px)") < 1e-6
-    assert len(sockets(visitor)) == 1, "one of both is the service"
-    delays = [float(visitor.text(f"#live-compared [data-of={place}]")) for place in ("page", "service")]
-    assert all(0.0 <= delay < 1000.0 for delay in delays)
-    visitor.choose("#live-predictor-0", "switched")
-    visitor.wait("document.querySelector('#live-compare-status').textContent === 'Move over the picture.'")
-    move(visitor)
-    visitor.wait(f"Number({SHOWN}.dataset.events) > 50")
-    assert visitor.text("#live-compare-status") == "The predictions are equal."
-    visitor.value("document.querySelector('#live-compare').click()")
-    assert visitor.value(f"{SHOWN}.hidden")
-
-
-def test_predictions_that_differ_are_reported(visitor: Visitor, url: str) -> None:
-    visitor.open(url)
-    found = visitor.value(
-        "import('/web/page/live/comparison.js').then(({ Pairs }) => {"
-        "const pairs = new Pairs();"
-        "const add = (which, t, x, y) => pairs.add(which, { t, x, y });"
-        "add(0, 1, 5, 5); add(1, 1, 5, 5); add(0, 2, null, null); add(1, 2, null, null);"
-        "add(1, 3, 1, 1); add(1, 4, 8, 9); add(0, 4, 5, 5);"
-        "const before = [pairs.count, pairs.largestPx];"
-        "add(0, 5, null, null); add(1, 5, 1, 1);"
-        "return [...before, pairs.count, String(pairs.largestPx)]; })"
-    )
-    assert found == [3, 5, 4, "Infinity"]
-
-
 def test_a_changed_place_cancels_a_run_and_predicts_the_replayed_movement_again(
     visitor: Visitor, url: str
 ) -> None:
@@ -158,7 +120,7 @@ def test_an_opened_file_is_predicted_in_the_page_as_in_python(
 def test_parameters_are_described_as_by_the_service(visitor: Visitor, url: str) -> None:
     visitor.open(url)
     differing = visitor.value(
-        "import('/web/lib/prediction/description.js').then(async ({ describe }) => {"
+        "import('/web/page/service/listing.js').then(async ({ describe }) => {"
         "const { predictors } = await (await fetch('/v1/predictors')).json();"
         "const own = await Promise.all(predictors.map(({ name }) => describe(name)));"
         "const text = (one) => JSON.stringify(one, (_, value) =>"

@@ -105,6 +105,9 @@ export interface Firing {
 /** May return a function, or a promise of one, which is called when a highlight ends. */
 export type IntentCallback = (firing: Firing) => unknown;
 
+/** What a directive or an action of a framework takes: a callback, or a callback with options. */
+export type IntentBinding = IntentCallback | (IntentOptions & { callback: IntentCallback });
+
 /** A registered element. */
 export interface Handle {
   readonly element: Element;
@@ -337,24 +340,137 @@ export interface Ellipse {
 /** The ellipse that holds the endpoint with probability `level`; null where no region is claimed. */
 export function regionOf(prediction: object | null | undefined, level: number): Ellipse | null;
 
-/** A connection to a service; its calls are described in the guide of the browser client. */
-export interface Connection {
-  readonly state: "connecting" | "open" | "waiting" | "idle" | "refused" | "closed";
-  on(name: string, listener: (message: any) => void): () => void;
-  send(events: readonly (readonly (number | null)[] | PointerSample)[]): void;
+/** An event in a row: t s, x px, y px, counts, buttons. */
+export type EventRow = [number, number, number, number | null, number | null, number];
+
+/** A target of a connection. */
+export type NamedTarget = Target & { id: string };
+
+/** The true target of a movement: its centre and width, px. */
+export type Goal = { x: number; y: number; width: number };
+
+/**
+ * `waiting`: will try again; `idle`: the service has ended a session without events, the next event opens another; `refused`: waits for
+ * `configure()`; `closed`: for good.
+ */
+export type State = "connecting" | "open" | "waiting" | "idle" | "refused" | "closed";
+
+/** null: there is no prediction now. */
+export interface Prediction {
+  type: "prediction";
+  t: number;
+  x: number | null;
+  y: number | null;
+  region: { sxx: number; sxy: number; syy: number; tail: number | null } | null;
+  phase: "still" | "ballistic" | "corrective" | null;
+  remaining_s: number | null;
+  /** Standard deviation of the logarithm of `remaining_s`. */
+  remaining_spread: number | null;
+  /** The id of the target that is likeliest of all; null: none of them is. */
+  target?: string | null;
+  /** The likeliest five, with encoding `"json"`; `element`: the observed one. */
+  targets?: { id: string; p: number; element?: Element }[];
+}
+
+/** Where the service has moved the cursor, px, and how far assistance has moved it since the session began. */
+export type Cursor = { type: "cursor"; t: number; x: number; y: number; added_px: number };
+
+export interface Choice {
+  type: "choice";
+  id: string;
+  p: number;
+  action: "propose" | "retract";
+  t: number | null;
+  /**
+   * Why it is proposed: the movement heads for it, the pointer has entered it, it has the keyboard focus, or a finger touches it; null
+   * where it is retracted.
+   */
+  reason: "predicted" | "entered" | "focus" | "touch" | null;
+  element?: Element;
+  /** The centre and side of a place that nobody registered, px. */
+  place?: { x: number; y: number; size: number };
+}
+
+export type ErrorMessage = {
+  type: "error";
+  code: string;
+  message: string;
+  path: string | null;
+  field?: string | null;
+  recoverable: boolean;
+};
+
+export interface Limits {
+  max_frame_bytes: number;
+  max_events_per_frame: number;
+  max_events_per_s: number;
+  max_targets: number;
+  max_sessions: number;
+  idle_s: number;
+}
+
+export type Welcome = { type: "welcome"; version: number; session: string; predictor: string; limits: Limits };
+
+export interface Score {
+  type: "score";
+  events: number;
+  time_averaged_px: number | null;
+  hold_px: number | null;
+  skill: number | null;
+  by_time: Record<string, number>;
+  by_path: Record<string, number>;
+  reason: string | null;
+  fired: number | null;
+  hit: boolean | null;
+  wasted: number | null;
+  lead_s: number | null;
+}
+
+/** By the name of their event. */
+export interface Messages {
+  prediction: Prediction;
+  cursor: Cursor;
+  choice: Choice;
+  error: ErrorMessage;
+  state: State;
+  welcome: Welcome;
+  score: Score;
+  /** What finished movements have taught about the person; "": nothing. */
+  person: { type: "person"; person: string };
+  targets: { type: "targets"; count: number };
+  bye: { type: "bye"; reason: string };
+}
+
+/** A connection to a service, of `connect`; its calls are described in the guide of the browser client. */
+export class Connection {
+  private constructor();
+  readonly state: State;
+  /** The newest `welcome`. */
+  readonly welcome: Welcome | null;
+  /** The newest time from sending events to receiving their prediction, ms. */
+  readonly delayMs: number | null;
+  /** Events sent to the service. */
+  readonly sent: number;
+  /** Events dropped because there was no connection for too long, or a slow one. */
+  readonly dropped: number;
+  /** The id of the target that was proposed last and still is. */
+  readonly proposed: string | null;
+  on<Name extends keyof Messages>(name: Name, listener: (message: Messages[Name]) => void): () => void;
+  send(events: readonly (EventRow | PointerSample)[]): void;
   observe(element: Element, id?: string): string;
   unobserve(element: Element): void;
   /** The law of the endpoint by targets, places and elsewhere, where the page predicts; null where the service does. */
   readonly mixture: Mixture | null;
-  targets(list: readonly (Target & { id: string })[]): void;
+  targets(list: readonly NamedTarget[]): void;
   probability(target: Element | string): number;
-  trial(
-    action: "start" | "end",
-    target?: Element | { x: number; y: number; width: number } | null,
-    conditions?: Record<string, string | number>,
+  trial(action: "start" | "end", target?: Element | Goal | null, conditions?: Record<string, string | number>): void;
+  configure(
+    changes: Pick<ConnectOptions, "token" | "predictor" | "parameters" | "reply" | "assist" | "places"> & {
+      precision?: number;
+    },
   ): void;
-  configure(changes: Record<string, unknown>): void;
   person(known?: string): Promise<string>;
+  /** The next movement is in this window or page, with its origin at x and y, px. */
   enter(key: string, x?: number, y?: number): void;
   forget(): Promise<string>;
   reset(): void;
@@ -387,7 +503,7 @@ export interface ConnectOptions {
   /** `false`: only events passed to `send` are streamed. */
   pointer?: boolean;
   coordinates?: "client" | "screen";
-  targets?: (Target & { id: string })[];
+  targets?: readonly NamedTarget[];
   /** Events kept while there is no connection; 8192 by default. */
   queue?: number;
 }

@@ -9,55 +9,10 @@
  * `coordinates: "screen"` they are CSS px of the screen, and predictions stay valid when the window moves.
  * Browsers report no device counts, so none are sent. Nothing is loaded from other hosts.
  *
- * @typedef {[number, number, number, number|null, number|null, number]} EventRow t s, x px, y px, counts, buttons
- * @typedef {{t: number, x: number, y: number, dx?: number|null, dy?: number|null, buttons?: number}} EventRecord
- * @typedef {{id: string, x: number, y: number, width: number, height: number, weight?: number, kind?: string}} Target upper left
- *   corner, size, px; weight: its prior probability relative to the others; kind: what it is to the user, such as "button"
- * @typedef {{x: number, y: number, width: number}} Goal centre and width, px
- * @typedef {"connecting"|"open"|"waiting"|"idle"|"refused"|"closed"} State `waiting`: will try again; `idle`: the
- *   service has ended a session without events, the next event opens another; `refused`: waits for configure(); `closed`: for good
- * @typedef {{type: "prediction", t: number, x: number|null, y: number|null,
- *   region: {sxx: number, sxy: number, syy: number, tail: number|null}|null, phase: "still"|"ballistic"|"corrective"|null,
- *   remaining_s: number|null, remaining_spread: number|null, target?: string|null,
- *   targets?: {id: string, p: number, element?: Element}[]}} Prediction null: there is no prediction now;
- *   remaining_spread: standard deviation of the logarithm of remaining_s; target: the id of the target that is likeliest of all, null:
- *   none of them is; targets: the likeliest five, with encoding "json"; element: the observed one
- * @typedef {{x: number, y: number, major: number, minor: number, angle: number}} Ellipse centre and half axes, px; radians
- * @typedef {{type: "cursor", t: number, x: number, y: number, added_px: number}} Cursor where the service has moved the
- *   cursor, px, and how far assistance has moved it since the session began
- * @typedef {{type: "choice", id: string, p: number, action: "propose"|"retract", t: number|null,
- *   reason: "predicted"|"entered"|"focus"|"touch"|null, element?: Element, place?: {x: number, y: number, size: number}}} Choice place:
- *   the centre and side of a place that nobody registered, px; reason: why it is proposed: the movement heads for it, the
- *   pointer has entered it, it has the keyboard focus, or a finger touches it; null where it is retracted
- * @typedef {{type: "error", code: string, message: string, path: string|null, field?: string|null, recoverable: boolean}} ErrorMessage
- * @typedef {{type: "welcome", version: number, session: string, predictor: string, limits: Limits}} Welcome
- * @typedef {{max_frame_bytes: number, max_events_per_frame: number, max_events_per_s: number, max_targets: number,
- *   max_sessions: number, idle_s: number}} Limits
- * @typedef {{type: "score", events: number, time_averaged_px: number|null, hold_px: number|null, skill: number|null,
- *   by_time: Object<string, number>, by_path: Object<string, number>, reason: string|null,
- *   fired: number|null, hit: boolean|null, wasted: number|null, lead_s: number|null}} Score
- * @typedef {{prediction: Prediction, cursor: Cursor, choice: Choice, error: ErrorMessage, state: State, welcome: Welcome, score: Score,
- *   person: PersonMessage, targets: {type: "targets", count: number}, bye: {type: "bye", reason: string}}} Messages by the name of their event
- * @typedef {{type: "person", person: string}} PersonMessage what finished movements have taught about the person; "": nothing
- * @typedef {Object} Options
- * @property {string} [predictor] a name of the registry; "kinematic-adaptive" by default
- * @property {Object<string, number|string|boolean>} [parameters] of the predictor or its differentiator
- * @property {{cpi?: number, rate_hz?: number}} [device]
- * @property {{width_px?: number, height_px?: number, dpi?: number}} [screen] 96 px per inch and this screen by default
- * @property {"frame"|"event"} [reply] one prediction per message, or one per event
- * @property {"binary"|"json"} [encoding] of events and predictions
- * @property {{strength?: number, rho?: number, function?: "constant"|"sigmoid", gain?: number}} [assist] the service moves
- *   the cursor by the counts of events, assisted towards the predicted endpoint; needs `device.cpi` and counts
- * @property {string} [person] what an earlier session has learned about the person; nothing unless given
- * @property {boolean} [places] true: places where the person went before are proposed, while there are no targets
- * @property {string} [token] if the service asks for one
- * @property {boolean} [page] true: predictions are made in the page, without a service; their modules are loaded when it is opened,
- *   and predictions hold the likeliest targets unless `encoding` is "binary"
- * @property {EventTarget} [element] whose pointer events are streamed; the window by default
- * @property {boolean} [pointer] false: only events passed to `send` are streamed
- * @property {"client"|"screen"} [coordinates]
- * @property {Target[]} [targets]
- * @property {number} [queue] events kept while there is no connection; beyond it the oldest are dropped
+ * Types, options and messages: `index.d.ts`.
+ *
+ * @import * as types from "./index.d.ts"
+ * @import { Choice, ConnectOptions, EventRow, Goal, Messages, Mixture, NamedTarget, PointerSample, State, Welcome } from "./index.d.ts"
  */
 
 import { findRefusal, isOwn, socketAddress, warningFor } from "./client/address.js";
@@ -87,7 +42,7 @@ const NAMES = ["prediction", "cursor", "choice", "error", "state", "welcome", "s
 /**
  * Opens a connection and keeps it open.
  * @param {string|URL} [url] of the service or its stream, http or ws; the service that this module came from by default
- * @param {Options} [options]
+ * @param {ConnectOptions} [options]
  * @returns {Connection}
  */
 export function connect(url, options = {}) {
@@ -95,7 +50,7 @@ export function connect(url, options = {}) {
   return new Connection(url, options);
 }
 
-/** One pointing session; if the connection is lost, another session is opened. */
+/** One pointing session; if the connection is lost, another session is opened. @implements {types.Connection} */
 export class Connection {
   /** @type {State} */ state = "connecting";
   /** The newest `welcome`. @type {Welcome|null} */ welcome = null;
@@ -133,7 +88,7 @@ export class Connection {
   #stop = new AbortController();
   #timer;
 
-  /** Use `connect`. @param {string|URL|undefined} url @param {Options} options */
+  /** Use `connect`. @param {string|URL|undefined} url @param {ConnectOptions} options */
   constructor(url, options) {
     const given = withoutUndefined(options);
     this.#options = {
@@ -205,7 +160,7 @@ export class Connection {
   /**
    * The law of the endpoint by targets, places and elsewhere, as the newest prediction has it, where the page predicts; null where
    * the service does.
-   * @returns {import("./prediction/mixture.js").Mixture|null}
+   * @returns {Mixture|null}
    */
   get mixture() {
     return this.#socket instanceof PageSocket ? this.#socket.mixture : null;
@@ -231,14 +186,14 @@ export class Connection {
 
   /**
    * Sends events: in one message, or in several where the limits of the service require it.
-   * @param {(EventRow|EventRecord)[]} events in the order of time; equal times are normal
+   * @param {readonly (EventRow|PointerSample)[]} events in the order of time; equal times are normal
    */
   send(events) {
     this.#pointer?.flush();
     if (events.length) this.#addRows(events.map(row));
   }
 
-  /** Replaces the targets that are rectangles; those of `observe` stay. @param {Target[]} list */
+  /** Replaces the targets that are rectangles; those of `observe` stay. @param {readonly NamedTarget[]} list */
   targets(list) {
     this.#targets.replace(list);
   }
@@ -285,8 +240,7 @@ export class Connection {
   /**
    * Changes options; another predictor or other parameters start without memory. Answered by `welcome`.
    * Another token is used when the connection is next opened.
-   * @param {{token?: string, predictor?: string, parameters?: Object<string, number|string|boolean>, reply?: "frame"|"event",
-   *   precision?: number, assist?: Options["assist"], places?: boolean}} changes
+   * @param {Parameters<types.Connection["configure"]>[0]} changes
    */
   configure({ token = this.#options.token, ...changes }) {
     this.#pointer?.flush();

@@ -11,7 +11,7 @@ import "./shell/glossary.js";
 import "./shell/snippet.js";
 import { refuseFiles } from "./replay/drop.js";
 import * as replay from "./replay/view.js";
-import { hasService, makePlaceSelect, onPlace } from "./service/place.js";
+import { hasService, makePlaceSelect } from "./service/service.js";
 import { makeTabs } from "./shell/tabs.js";
 
 const PARTS = { live, device, circle, replay, assist };
@@ -81,9 +81,7 @@ makeTabs(part("tabs"), (view, before) => {
 
 live.useRecordings(recordings);
 
-makePlaceSelect(/** @type {HTMLSelectElement} */ (part("place")));
-
-onPlace(() => {
+makePlaceSelect(/** @type {HTMLSelectElement} */ (part("place")), () => {
   // the attached device is shown wherever predictions are made
   PARTS[current].close("place");
   open(current);

@@ -19,7 +19,7 @@ export class EventQueue {
     return this.#items.length;
   }
 
-  /** @param {(import("../pointpred.js").EventRow|object)[]} items rows of events, or messages */
+  /** @param {(import("../index.d.ts").EventRow|object)[]} items rows of events, or messages */
   add(items) {
     for (const item of items) this.#items.push(item);
     const surplus = this.#items.splice(0, Math.max(0, this.#items.length - this.#capacity));
@@ -36,9 +36,9 @@ export class EventQueue {
   /**
    * Empties the queue into runs of events and single messages. It returns no more events than the service accepts at
    * once; the oldest are dropped.
-   * @param {import("../pointpred.js").Limits} limits @param {number} [targets] registered at the service
+   * @param {import("../index.d.ts").Limits} limits @param {number} [targets] registered at the service
    * @param {boolean} [places] whether places are asked for
-   * @returns {{rows?: import("../pointpred.js").EventRow[], message?: object}[]}
+   * @returns {{rows?: import("../index.d.ts").EventRow[], message?: object}[]}
    */
   drain({ max_events_per_s: limit }, targets = 0, places = false) {
     const items = this.#items.splice(0);

@@ -24,8 +24,8 @@ const BYTES = new TextEncoder();
 
 /**
  * Splits events into messages that the limits allow, each with its number of events and the time of the last one.
- * @param {import("../pointpred.js").EventRow[]} rows @param {"binary"|"json"} encoding
- * @param {import("../pointpred.js").Limits} limits
+ * @param {import("../index.d.ts").EventRow[]} rows @param {"binary"|"json"} encoding
+ * @param {import("../index.d.ts").Limits} limits
  * @returns {Generator<{frame: string|ArrayBuffer, last: number, count: number}>}
  */
 export const frames = (rows, encoding, limits) =>
@@ -33,8 +33,8 @@ export const frames = (rows, encoding, limits) =>
 
 /**
  * An event as the row that is sent; throws a RangeError where a value cannot be sent.
- * @param {import("../pointpred.js").EventRow|import("../pointpred.js").EventRecord} event
- * @returns {import("../pointpred.js").EventRow}
+ * @param {import("../index.d.ts").EventRow|import("../index.d.ts").PointerSample} event
+ * @returns {import("../index.d.ts").EventRow}
  */
 export function row(event) {
   const [t, x, y, dx = null, dy = null, buttons = 0] = Array.isArray(event)
@@ -51,7 +51,7 @@ const onGrid = (px) => Math.round(GRID * px) / GRID;
 
 /**
  * The message with all targets; the last ones are left out where the limits allow fewer.
- * @param {import("../pointpred.js").Target[]} targets @param {Partial<import("../pointpred.js").Limits>} [limits]
+ * @param {import("../index.d.ts").NamedTarget[]} targets @param {Partial<import("../index.d.ts").Limits>} [limits]
  * @returns {{text: string, count: number, omitted: number}}
  */
 export function targetsFrame(targets, { max_targets: most, max_frame_bytes: bytes = Infinity } = {}) {
@@ -107,7 +107,7 @@ function* textFrames(rows, { max_events_per_frame: most, max_frame_bytes: bytes 
 /**
  * Packed predictions as the same objects that JSON gives.
  * @param {ArrayBuffer} buffer @param {string[]} ids of the targets that the service has, in the order sent
- * @returns {Generator<import("../pointpred.js").Prediction>}
+ * @returns {Generator<import("../index.d.ts").Prediction>}
  */
 export function* decode(buffer, ids) {
   const view = new DataView(buffer);

@@ -1,24 +1,22 @@
 // A session in the page, with the interface of a socket to the service: the connection need not know which it has.
 
-import { Retries } from "./retries.js";
+import { Reconnecting } from "./reconnecting.js";
 
 /** One session at a time. What is sent is answered after the code that runs now, events as they are and answers as objects. */
-export class PageSocket {
-  /** Whether the newest session was ever open: if not, its modules could not be loaded. */ opened = false;
+export class PageSocket extends Reconnecting {
   #handlers;
   /** @type {import("../prediction/session.js").PageSession|null} */ #session = null;
   #attempt = 0;
   #waiting = [];
   #heard = [];
   #runs = false;
-  #retries = new Retries();
 
   /** @param {{onOpen: () => void, onMessage: (message: object) => void, onClose: () => void}} handlers */
   constructor(handlers) {
+    super();
     this.#handlers = handlers;
   }
 
-  /** Whether what is sent now is answered. */
   get isOpen() {
     return this.#session !== null;
   }
@@ -28,11 +26,6 @@ export class PageSocket {
     return this.#session?.mixture ?? null;
   }
 
-  /** Whether the session has begun. */
-  get hasSession() {
-    return this.isOpen && this.#retries.hasSession;
-  }
-
   /** Nothing is held back. */
   get bufferedAmount() {
     return 0;
@@ -40,8 +33,7 @@ export class PageSocket {
 
   /** Loads the session's modules, and opens one. */
   async open() {
-    this.opened = false;
-    this.#retries.begin();
+    this.begin();
     const attempt = ++this.#attempt;
     try {
       const { PageSession } = await import("../prediction/session.js");
@@ -57,34 +49,19 @@ export class PageSocket {
     }
   }
 
-  /** The session has begun: if it lasts, the next wait is the shortest again. */
-  beginSession() {
-    this.#retries.beginSession();
-  }
-
-  /** Events as they are sent: all of them at once. @param {import("../pointpred.js").EventRow[]} rows */
+  /** Events as they are sent: all of them at once. @param {import("../index.d.ts").EventRow[]} rows */
   frames(rows) {
     return [
-      { frame: rows, last: /** @type {import("../pointpred.js").EventRow} */ (rows.at(-1))[0], count: rows.length },
+      { frame: rows, last: /** @type {import("../index.d.ts").EventRow} */ (rows.at(-1))[0], count: rows.length },
     ];
   }
 
-  /** @param {string|import("../pointpred.js").EventRow[]} frame a message as JSON, or rows of events */
+  /** @param {string|import("../index.d.ts").EventRow[]} frame a message as JSON, or rows of events */
   send(frame) {
     this.#waiting.push(frame);
     if (this.#runs) return;
     this.#runs = true;
     queueMicrotask(() => this.#run());
-  }
-
-  /** Calls `open` after a wait. @param {() => void} open */
-  retry(open) {
-    this.#retries.retry(open);
-  }
-
-  /** Gives up waiting for the next attempt. */
-  cancelRetry() {
-    this.#retries.cancel();
   }
 
   /** Ends the session without calling `onClose`. */
@@ -109,7 +86,7 @@ export class PageSocket {
   }
 
   #end() {
-    this.#retries.end();
+    this.end();
     this.#session = null;
     this.#handlers.onClose();
   }

@@ -16,7 +16,7 @@ export class PointerStream {
 
   /**
    * @param {EventTarget} element
-   * @param {{onScreen?: boolean, raw?: boolean, accepts?: (event: PointerEvent) => boolean, onRows: (rows: import("../pointpred.js").EventRow[]) => void,
+   * @param {{onScreen?: boolean, raw?: boolean, accepts?: (event: PointerEvent) => boolean, onRows: (rows: import("../index.d.ts").EventRow[]) => void,
    *   signal: AbortSignal}} options `onScreen`: positions on the screen instead of the viewport; `raw` false: samples come once a frame
    *   instead of at once, which costs less; `accepts`: which events count
    */

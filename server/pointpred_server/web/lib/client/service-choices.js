@@ -11,19 +11,19 @@ export class ServiceChoices {
   #unconfirmed = new Map();
 
   /**
-   * @param {import("./proposals.js").Proposals<import("../pointpred.js").Choice>} proposals
+   * @param {import("./proposals.js").Proposals<import("../index.d.ts").Choice>} proposals
    * @param {import("./page-choices.js").PageChoices<string>} page
    */
   constructor(proposals, page) {
     [this.#proposals, this.#page] = [proposals, page];
   }
 
-  /** What the service proposes now. @returns {import("../pointpred.js").Choice[]} */
+  /** What the service proposes now. @returns {import("../index.d.ts").Choice[]} */
   get current() {
     return this.#proposals.from("service");
   }
 
-  /** @param {import("../pointpred.js").Choice} choice from the service */
+  /** @param {import("../index.d.ts").Choice} choice from the service */
   receive(choice) {
     const { id, t, action } = choice;
     if (t !== null && t <= this.#pastUntil) {

@@ -1,34 +1,27 @@
 // A WebSocket to the service that can be opened again; each attempt waits longer than the one before.
 
 import { frames } from "./frames.js";
-import { Retries } from "./retries.js";
+import { Reconnecting } from "./reconnecting.js";
 
 const SUBPROTOCOL = "pointpred.v1";
 
 /** One WebSocket at a time; events of earlier ones are ignored. */
-export class RetryingSocket {
-  /** Whether the newest socket was ever open: if not, the service refused it or cannot be reached. */ opened = false;
+export class RetryingSocket extends Reconnecting {
   #address;
   #handlers;
   /** @type {WebSocket|null} */ #socket = null;
-  #retries = new Retries();
 
   /**
    * @param {() => string} address
    * @param {{onOpen: () => void, onMessage: (data: string|ArrayBuffer) => void, onClose: () => void}} handlers
    */
   constructor(address, handlers) {
+    super();
     [this.#address, this.#handlers] = [address, handlers];
   }
 
-  /** Whether what is sent now goes out. */
   get isOpen() {
     return this.#socket?.readyState === WebSocket.OPEN;
-  }
-
-  /** Whether the service has begun a session on this socket. */
-  get hasSession() {
-    return this.isOpen && this.#retries.hasSession;
   }
 
   /** Bytes that the browser still holds back. */
@@ -37,8 +30,7 @@ export class RetryingSocket {
   }
 
   open() {
-    this.opened = false;
-    this.#retries.begin();
+    this.begin();
     const socket = new WebSocket(this.#address(), SUBPROTOCOL);
     socket.binaryType = "arraybuffer";
     const current = (handle) => (event) => socket === this.#socket && handle(event);
@@ -48,16 +40,11 @@ export class RetryingSocket {
     });
     socket.onmessage = current(({ data }) => this.#handlers.onMessage(data));
     socket.onclose = current(() => {
-      this.#retries.end();
+      this.end();
       this.#socket = null;
       this.#handlers.onClose();
     });
     this.#socket = socket;
-  }
-
-  /** The service has begun a session: if it lasts, the next wait is the shortest again. */
-  beginSession() {
-    this.#retries.beginSession();
   }
 
   /** Events as frames to send: within the limits of the service. @see frames */
@@ -68,16 +55,6 @@ export class RetryingSocket {
   /** @param {string|ArrayBuffer} frame */
   send(frame) {
     /** @type {WebSocket} */ (this.#socket).send(frame);
-  }
-
-  /** Calls `open` after a wait. @param {() => void} open */
-  retry(open) {
-    this.#retries.retry(open);
-  }
-
-  /** Gives up waiting for the next attempt. */
-  cancelRetry() {
-    this.#retries.cancel();
   }
 
   /** Closes the socket without calling `onClose`. @param {string} [farewell] the last message of a session */

@@ -15,7 +15,7 @@ export class Targets {
   #activeUntil = 0;
 
   /**
-   * @param {import("../pointpred.js").Target[]} rectangles
+   * @param {import("../index.d.ts").NamedTarget[]} rectangles
    * @param {{offset: () => number[], onChange: (scrolled: boolean) => void, signal: AbortSignal}} options `offset`: what to
    *   add to positions in the viewport, px; `onChange` is called before the next frame is drawn: `scrolled` if the page was scrolled or resized
    */
@@ -28,7 +28,7 @@ export class Targets {
     this.#elements = new Elements({ onFrame, signal });
   }
 
-  /** Replaces the rectangles; observed elements stay. @param {import("../pointpred.js").Target[]} rectangles */
+  /** Replaces the rectangles; observed elements stay. @param {import("../index.d.ts").NamedTarget[]} rectangles */
   replace(rectangles) {
     this.#rectangles = rectangles;
     this.#elements.schedule();
@@ -70,7 +70,7 @@ export class Targets {
     if (this.#elements.inView.size) this.#elements.schedule();
   }
 
-  /** Where every target is now. @returns {import("../pointpred.js").Target[]} */
+  /** Where every target is now. @returns {import("../index.d.ts").NamedTarget[]} */
   list() {
     const targets = [...this.#rectangles];
     for (const [element, id] of this.#ids) {
@@ -81,7 +81,7 @@ export class Targets {
     return targets;
   }
 
-  /** An element as the true target of a trial. @param {Element} element @returns {import("../pointpred.js").Goal} */
+  /** An element as the true target of a trial. @param {Element} element @returns {import("../index.d.ts").Goal} */
   goal(element) {
     const { x, y, width, height } = this.#measure(element);
     return { x: x + width / 2, y: y + height / 2, width: Math.min(width, height) };

@@ -7,7 +7,6 @@ const named = (_, value) => (typeof value === "function" ? "a function" : value)
 /**
  * @typedef {import("../index.d.ts").IntentCallback} IntentCallback
  * @typedef {import("../index.d.ts").IntentOptions} IntentOptions
- * @typedef {IntentCallback|(IntentOptions & {callback: IntentCallback})} Binding
  */
 
 /** A registered element. Another callback is called from then on; other options register the element again. */
@@ -45,7 +44,7 @@ export class Registered {
 
 /**
  * What a directive or an action is given: the callback itself, or the callback with options.
- * @param {Binding} value @returns {[IntentCallback, IntentOptions?]}
+ * @param {import("../index.d.ts").IntentBinding} value @returns {[IntentCallback, IntentOptions?]}
  */
 export function partsOf(value) {
   if (typeof value === "function") return [value];

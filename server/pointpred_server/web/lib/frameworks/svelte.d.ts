@@ -1,8 +1,7 @@
 import type { Action } from "svelte/action";
-import type { IntentCallback, IntentOptions } from "../index.d.ts";
+import type { IntentBinding } from "../index.d.ts";
 
-/** A callback, or a callback with options. */
-export type IntentBinding = IntentCallback | (IntentOptions & { callback: IntentCallback });
+export type { IntentBinding };
 
 /** `<a use:intent={callback}>`, or `use:intent={{ callback, policy: "highlight" }}`. */
 export const intent: Action<Element, IntentBinding>;

@@ -2,7 +2,7 @@
 
 import { partsOf, Registered } from "./registered.js";
 
-/** @param {Element} element @param {import("./registered.js").Binding} value */
+/** @param {Element} element @param {import("../index.d.ts").IntentBinding} value */
 export function intent(element, value) {
   const registered = new Registered(element, ...partsOf(value));
   return {

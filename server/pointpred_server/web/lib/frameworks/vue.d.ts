@@ -1,8 +1,7 @@
 import type { Directive } from "vue";
-import type { IntentCallback, IntentOptions } from "../index.d.ts";
+import type { IntentBinding } from "../index.d.ts";
 
-/** A callback, or a callback with options. */
-export type IntentBinding = IntentCallback | (IntentOptions & { callback: IntentCallback });
+export type { IntentBinding };
 
 /** `<a v-intent="callback">`, or `v-intent="{ callback, policy: 'highlight' }"`. */
 export const vIntent: Directive<Element, IntentBinding>;

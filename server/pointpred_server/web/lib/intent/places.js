@@ -5,11 +5,12 @@ import { PointerStream } from "../client/pointer-stream.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { claimed, isRefused, REMAINING_S } from "../prediction/row.js";
 import { attempt } from "./firing-ledger.js";
+import { checked } from "./options.js";
 
 /** @typedef {import("../prediction/chooser.js").PlaceChooser} Chooser */
 
 const DEFAULTS = { precision: USUAL[0], page: undefined, person: "", store: undefined };
-const TEXTS = ["page", "person", "store"];
+const KNOWN = { precision: [LOWEST[0], HIGHEST[0]], page: ["a string"], person: ["a string"], store: ["a string"] };
 
 /**
  * `onPlace` with a predictor that learns places. It calls `callback` when the user is heading for a place where movements ended before. Throws a TypeError for options that
@@ -22,28 +23,8 @@ export const onPlaceWith = (build) =>
   function onPlace(callback, options) {
     needDocument("onPlace");
     if (typeof callback !== "function") throw new TypeError(`onPlace needs a function to call, received ${callback}`);
-    return new Places(build, callback, optionsOf(options));
+    return new Places(build, callback, checked(options, { ...DEFAULTS, page: location.pathname }, KNOWN));
   };
-
-/** @param {import("../index.d.ts").PlaceOptions} given */
-function optionsOf(given = {}) {
-  for (const name of Object.keys(given))
-    if (!Object.hasOwn(DEFAULTS, name))
-      throw new TypeError(`unknown option ${name}; known: ${Object.keys(DEFAULTS).join(", ")}`);
-  const options = {
-    ...DEFAULTS,
-    page: location.pathname,
-    ...Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined)),
-  };
-  for (const name of TEXTS)
-    if (options[name] !== undefined && typeof options[name] !== "string")
-      throw new TypeError(`${name} must be a text, received ${options[name]}`);
-  const { precision } = options,
-    [low, high] = [LOWEST[0], HIGHEST[0]];
-  if (!(typeof precision === "number" && precision >= low && precision <= high))
-    throw new RangeError(`precision must be a number in [${low}, ${high}], received ${precision}`);
-  return options;
-}
 
 /** What the page's store answers; undefined where the browser refuses it: cookies are blocked, or it is full. */
 function inStorage(use) {
@@ -142,7 +123,7 @@ class Places {
     this.#pipeline.enter(this.#options.page, -window.scrollX, -window.scrollY);
   }
 
-  /** @param {import("../pointpred.js").EventRow[]} rows */
+  /** @param {import("../index.d.ts").EventRow[]} rows */
   #follow(rows) {
     if (this.#pipeline === null) return;
     for (const [t, x, y, , , buttons] of rows) {

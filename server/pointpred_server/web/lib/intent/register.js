@@ -2,11 +2,12 @@
 
 import { needDocument } from "../client/document.js";
 import { THRESHOLD } from "../laws/targets/prefetch.js";
+import { checked, checkNumber } from "./options.js";
 import { Registration } from "./registration.js";
 import { Source } from "./source.js";
 import { Tracker } from "./tracker.js";
 
-/** What an option may be: one of some words or kinds of values, or a number between two. @type {Object<string, (string|number)[]>} */
+/** @type {Object<string, (string|number)[]>} */
 const KNOWN = {
   policy: ["prefetch", "highlight"],
   touch: ["start", "viewport", "none"],
@@ -130,33 +131,12 @@ function trackerOf(predictor) {
   return /** @type {Tracker} */ (trackers.get(key));
 }
 
-/**
- * The options with their defaults. Throws a TypeError for one that is unknown or of another type, a RangeError for a number
- * out of bounds.
- * @param {Offer} offer @param {import("../index.d.ts").IntentOptions} given
- * @returns {Options}
- */
-function optionsOf({ defaults, choices }, given = {}) {
-  const options = { ...DEFAULTS, ...defaults };
-  for (const [name, value] of Object.entries(given)) {
-    if (!(name in options)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(options).join(", ")}`);
-    if (value !== undefined) options[name] = value;
-  }
-  for (const [name, known] of Object.entries({ ...KNOWN, ...choices })) {
-    const value = options[name];
-    if (typeof known[0] === "number") checkNumber(name, value, /** @type {number[]} */ (known));
-    else if (value !== undefined && !known.includes(value) && !known.includes(`a ${typeof value}`))
-      throw new TypeError(`${name} must be one of ${known.join(", ")}, received ${value}`);
-  }
+/** The options with their defaults, checked. @param {Offer} offer @param {import("../index.d.ts").IntentOptions|undefined} given @returns {Options} */
+function optionsOf({ defaults, choices }, given) {
+  const options = checked(given, { ...DEFAULTS, ...defaults }, { ...KNOWN, ...choices });
   options.once ??= options.policy === "prefetch";
   options.hitSlop = sidesOf(options.hitSlop);
   return /** @type {Options} */ (options);
-}
-
-/** @param {string} name @param {unknown} value @param {number[]} bounds */
-function checkNumber(name, value, [low, high]) {
-  if (!(typeof value === "number" && value >= low && value <= high))
-    throw new RangeError(`${name} must be a number in [${low}, ${high}], received ${value}`);
 }
 
 /** Of each side, how far the element counts beyond it, px. */

@@ -1,5 +1,4 @@
 // Written by `make laws` from the registry: change that and run it again.
-export const VERSION = "0.1.0";
 export const RECOMMENDED = "kinematic-adaptive";
 export const GAINS = { gain_lambda: 48, gain_xi: 1.6, alpha: 0 };
 export const PREDICTORS = {

@@ -11,7 +11,7 @@ import { valuesOf } from "./parameters.js";
 import { packed, unpacked } from "./person.js";
 import { Keys, tableOf } from "./targets.js";
 
-/** @typedef {import("./targets.js").Target} Target */
+/** @typedef {import("../index.d.ts").Target} Target */
 
 /** The last stage of a pipeline. What is known of the person stays in it. */
 export class Aim {

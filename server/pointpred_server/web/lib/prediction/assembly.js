@@ -8,7 +8,7 @@ import { Pipeline } from "./pipeline.js";
 import { Stage } from "./stage.js";
 
 /**
- * @typedef {{cpi?: number|null, dpi?: number, person?: string, targets?: readonly import("./targets.js").Target[], differentiator?: string}} BuildOptions and every parameter
+ * @typedef {{cpi?: number|null, dpi?: number, person?: string, targets?: readonly import("../index.d.ts").Target[], differentiator?: string}} BuildOptions and every parameter
  *   of the predictor and the differentiator by its name. cpi: counts per inch of the device; with it motor motion comes from
  *   the counts of events, without it from the cursor and `dpi`, px per inch (96). person: what `person` of a pipeline of this name was;
  *   targets: what `register` takes

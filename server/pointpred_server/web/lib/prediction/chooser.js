@@ -15,7 +15,7 @@ import { check } from "./parameters.js";
  * @typedef {{precision?: number, least_lead_s?: number, least_way_px?: number}} Settings precision: share of proposals that shall
  *   be right; least_lead_s: a target that the cursor enters sooner is not predicted; least_way_px: nothing is predicted nearer to
  *   the start of the movement
- * @typedef {{aim: import("./aim.js").Aim, places: import("./pipeline.js").Place[]}} Aimed what choosers ask of a pipeline
+ * @typedef {{aim: import("./aim.js").Aim, places: import("../index.d.ts").Place[]}} Aimed what choosers ask of a pipeline
  */
 
 const PARAMETERS = [

@@ -1,8 +1,6 @@
-// How long before it was needed something was proposed, over the newest movements.
+// How long before it was needed something was proposed.
 
 import { claimed } from "./row.js";
-
-const MOST = 1000;
 
 /** The median; the mean of the two middle values if their number is even; NaN of no values. @param {number[]} values @returns {number} */
 export function median(values) {
@@ -16,18 +14,4 @@ export function median(values) {
 export function leadsOf(leads) {
   const of = (measure) => (leads.length ? measure(...leads) : null);
   return { count: leads.length, least: of(Math.min), median: claimed(median(leads)), most: of(Math.max) };
-}
-
-/** The newest leads, s. */
-export class Leads {
-  #values = [];
-
-  add(lead_s) {
-    this.#values.push(lead_s);
-    if (this.#values.length > MOST) this.#values.shift();
-  }
-
-  get median() {
-    return claimed(median(this.#values));
-  }
 }

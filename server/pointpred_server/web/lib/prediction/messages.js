@@ -9,7 +9,7 @@ export class ProtocolError extends Error {
   /** @param {string} code @param {string} message @param {string|null} [path] @param {{field?: string, value?: unknown, recoverable?: boolean}} [more] */
   constructor(code, message, path = null, { field, value, recoverable = true } = {}) {
     super(message);
-    /** @type {import("../pointpred.js").ErrorMessage & {value?: unknown}} */
+    /** @type {import("../index.d.ts").ErrorMessage & {value?: unknown}} */
     this.answer = { type: "error", code, message, path, recoverable };
     if (field) this.answer.field = field;
     if (field && (value === null || ["string", "boolean"].includes(typeof value) || Number.isFinite(value)))

@@ -9,16 +9,8 @@ import { SCREEN, sceneOf } from "./scene.js";
 import { general, quoted } from "./words.js";
 
 /**
+ * @import { Place, PointerSample } from "../index.d.ts"
  * @typedef {import("./stage.js").Row} Row
- * @typedef {{t: number, x: number, y: number, dx?: number|null, dy?: number|null, buttons?: number}} PointerEvent t s, x y px
- *   of the viewport, y down; dx dy: counts of the device, if there are any; buttons as in W3C pointer events
- */
-
-/**
- * @typedef {{x: number, y: number, p: number, before: number, visits: number, id: number, spread: number}} Place where movements
- *   of the person ended before: x y px; p: how likely it is the destination now, before: how likely it was before the movement
- *   showed anything; visits: how many, earlier ones counting less; id: the same as long as the place is remembered, and one that
- *   replaces a forgotten place takes its id; spread: standard deviation of the visits, px
  */
 
 /** Where a movement will end, as seen at `t`. */
@@ -75,7 +67,7 @@ export class Pipeline {
   /**
    * Consumes one event; null where nothing is justified now. Throws an EventError for a time before the last
    * (`code` "time_backwards") and for a value that is not finite or out of range.
-   * @param {PointerEvent} event @returns {Prediction|null}
+   * @param {PointerSample} event @returns {Prediction|null}
    */
   update(event) {
     const wrong = wrongKind(event);
@@ -144,7 +136,7 @@ export class Pipeline {
    * Takes these targets, in place of those before, as what can be pointed at; none: as if nobody had. From the next event on the
    * endpoint, its region and the time left are those of a movement to one of them or elsewhere. `reset` keeps them. At most 1000;
    * throws a ParameterError, nothing changed.
-   * @param {readonly import("./targets.js").Target[]} targets
+   * @param {readonly import("../index.d.ts").Target[]} targets
    */
   register(targets) {
     this.aim.register(targets);

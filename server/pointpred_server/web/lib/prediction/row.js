@@ -17,7 +17,7 @@ export const claimed = (value) => (value === value ? value : null);
  * A row as the message that a service sends. @param {number[]} row
  * @param {string|null} [target] the id of the likeliest of all, null: none of the targets; undefined in a session without
  * @param {{id: string, p: number}[]} [targets] the likeliest
- * @returns {import("../pointpred.js").Prediction}
+ * @returns {import("../index.d.ts").Prediction}
  */
 export function messageOf(row, target, targets) {
   const [t, x, y, , , , remaining, phase, , spread] = row,

@@ -1,5 +1,6 @@
 // The score of a trial, as `pointpred score` gives it.
 
+import { EVENT_FIELDS } from "../laws/fields.js";
 import {
   BY_PATH,
   BY_TIME,
@@ -16,7 +17,6 @@ import { MOST_EVENTS } from "./trial.js";
 import { general } from "./words.js";
 
 const PIECE_MS = 8; // the page is free again after so long
-const NAMES = ["t", "x", "y", "dx", "dy", "buttons"];
 const NO_SCORE = {
   time_averaged_px: null,
   hold_px: null,
@@ -45,10 +45,10 @@ const REASONS = new Map([
 /**
  * The score of a trial as offline, where pipelines are reset at the onset of the movement. The page stays free meanwhile.
  * @param {{rows: number[][], count: number}} trial @param {import("./pipeline.js").Pipeline} pipeline a fresh one
- * @returns {Promise<import("../pointpred.js").Score>}
+ * @returns {Promise<import("../index.d.ts").Score>}
  */
 export async function scoreOf({ rows, count }, pipeline) {
-  /** @returns {import("../pointpred.js").Score} */
+  /** @returns {import("../index.d.ts").Score} */
   const unscored = (events, reason) => ({ type: "score", events, ...NO_SCORE, reason });
   if (count > MOST_EVENTS) return unscored(count, `has ${count} events, at most ${MOST_EVENTS} are scored`);
   const cut = new Float64Array(cutting.CUTS);
@@ -76,7 +76,8 @@ export async function scoreOf({ rows, count }, pipeline) {
 function withEvent(reason, cut, rows) {
   if (![cutting.UNUSABLE, cutting.BACKWARD].includes(cut[cutting.VERDICT])) return reason;
   const row = cut[cutting.ROW];
-  return `event ${row} of the trial: ${reason} (${NAMES.map((name, k) => `${name} ${general(rows[row][k])}`).join(", ")})`;
+  const numbers = EVENT_FIELDS.map(({ name }, k) => `${name} ${general(rows[row][k])}`);
+  return `event ${row} of the trial: ${reason} (${numbers.join(", ")})`;
 }
 
 /** The measures of a trial; null where an answer is not finite. */

@@ -6,7 +6,7 @@ import { EventError } from "./errors.js";
 import { checked, ProtocolError } from "./messages.js";
 import { PredictionStream } from "./stream.js";
 
-/** The limits of a session. The page serves one session, so most of them are off. @type {import("../pointpred.js").Limits} */
+/** The limits of a session. The page serves one session, so most of them are off. @type {import("../index.d.ts").Limits} */
 const LIMITS = Object.freeze({
   max_frame_bytes: Infinity,
   max_events_per_frame: Infinity,
@@ -32,7 +32,7 @@ export class PageSession {
     return this.#stream?.mixture ?? null;
   }
 
-  /** Takes in events: t, x, y, dx, dy (null: no counts), buttons. @param {import("../pointpred.js").EventRow[]} rows */
+  /** Takes in events: t, x, y, dx, dy (null: no counts), buttons. @param {import("../index.d.ts").EventRow[]} rows */
   receiveRows(rows) {
     if (this.ended !== null) return;
     try {

@@ -160,7 +160,7 @@ export class PredictionStream {
       );
   }
 
-  /** Replaces the targets; throws a ProtocolError, nothing changed. @param {import("./targets.js").Target[]} targets */
+  /** Replaces the targets; throws a ProtocolError, nothing changed. @param {import("../index.d.ts").Target[]} targets */
   replaceTargets(targets) {
     const tracker = this.#tracker ?? new TargetTracker(this.#send, this.#pipeline, this.#precision);
     tracker.replace(targets);

@@ -64,13 +64,13 @@ class Tracker {
 
 /** Decides among the targets of a session. */
 export class TargetTracker extends Tracker {
-  /** Those that were registered last. @type {import("./targets.js").Target[]} */ targets = [];
+  /** Those that were registered last. @type {import("../index.d.ts").Target[]} */ targets = [];
 
   constructor(send, pipeline, precision) {
     super(send, new Chooser(pipeline), precision);
   }
 
-  /** Replaces the targets; a proposal of one that is gone is retracted. Throws a ProtocolError. @param {import("./targets.js").Target[]} targets */
+  /** Replaces the targets; a proposal of one that is gone is retracted. Throws a ProtocolError. @param {import("../index.d.ts").Target[]} targets */
   replace(targets) {
     try {
       this.chooser.pipeline.aim.register(targets);

@@ -6,11 +6,7 @@ import { keyOf } from "./blake2b.js";
 import { ParameterError } from "./errors.js";
 import { general, quoted } from "./words.js";
 
-/**
- * @typedef {{id: unknown, x: number, y: number, width: number, height: number, weight?: number, kind?: string}} Target its upper
- *   left corner and size, px; weight: how likely it is before the cursor moves, relative to the others; kind: what it is to the
- *   user, such as "button"
- */
+/** @import { Target } from "../index.d.ts" */
 
 const FIELDS = ["x", "y", "width", "height", "weight"];
 

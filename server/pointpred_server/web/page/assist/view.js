@@ -1,10 +1,10 @@
 // The assist view: the page captures the mouse, and the session moves a cursor by its counts, assisted or not.
 
 import { clearCanvas, colours, FrameLoop, onRepaint } from "../drawing/canvas.js";
-import { disc, line } from "../drawing/marks.js";
+import { disc, segment } from "../drawing/marks.js";
 import { predictors } from "../service/listing.js";
-import { inPage } from "../service/place.js";
 import { ConnectionStatus, PredictorConnection } from "../service/predictor-connection.js";
+import { inPage } from "../service/service.js";
 import { fillSelect, fillTable, part, write } from "../shell/elements.js";
 import { COUNTS, isSupported, PointerLock } from "./pointer-lock.js";
 import { Task } from "./task.js";
@@ -148,24 +148,8 @@ function draw() {
   if (cursor !== null) {
     const [x, y] = cursor,
       colour = active ? text : quiet;
-    line(
-      pen,
-      [
-        [x - ARM_PX, y],
-        [x + ARM_PX, y],
-      ],
-      colour,
-      2,
-    );
-    line(
-      pen,
-      [
-        [x, y - ARM_PX],
-        [x, y + ARM_PX],
-      ],
-      colour,
-      2,
-    );
+    segment(pen, [x - ARM_PX, y], [x + ARM_PX, y], colour, 2);
+    segment(pen, [x, y - ARM_PX], [x, y + ARM_PX], colour, 2);
     if (active && now - assistedAt < ASSISTING_MS) disc(pen, cursor, ARM_PX + 3, past, false, 2);
   }
   Object.assign(canvas.dataset, {

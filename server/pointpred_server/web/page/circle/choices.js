@@ -14,7 +14,7 @@ export class CircleChoices {
     );
   }
 
-  /** @param {import("../../lib/pointpred.js").Choice} choice */
+  /** @param {import("../../lib/index.d.ts").Choice} choice */
   addChoice({ id, p, action, reason }) {
     if (this.probabilities[id] === undefined || reason === "entered") return; // only predictions are shown
     this.probabilities[id] = action === "propose" ? p : 0;
@@ -22,7 +22,7 @@ export class CircleChoices {
     else if (this.proposed === Number(id)) this.proposed = null;
   }
 
-  /** @param {import("../../lib/pointpred.js").Prediction} prediction */
+  /** @param {import("../../lib/index.d.ts").Prediction} prediction */
   addPrediction({ targets }) {
     if (!targets) return;
     this.probabilities.fill(0);

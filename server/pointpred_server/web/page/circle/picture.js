@@ -1,36 +1,20 @@
 // The picture of the circle task: its targets, the one to select, and where the last selection was.
 
 import { clearCanvas, colours } from "../drawing/canvas.js";
-import { clamp, disc, halo, line, MARKS } from "../drawing/marks.js";
+import { clamp, disc, halo, MARKS, segment } from "../drawing/marks.js";
 
 const HALO_PX = 6; // beyond the edge of the target
 const [THIN_PX, BROAD_PX] = [4, 8];
 
 /** @param {import("../drawing/marks.js").Pen} pen @param {import("../drawing/marks.js").Point} centre @param {number} reach @param {string} colour */
 function cross(pen, [x, y], reach, colour) {
-  line(
-    pen,
-    [
-      [x - reach, y - reach],
-      [x + reach, y + reach],
-    ],
-    colour,
-    2,
-  );
-  line(
-    pen,
-    [
-      [x - reach, y + reach],
-      [x + reach, y - reach],
-    ],
-    colour,
-    2,
-  );
+  segment(pen, [x - reach, y - reach], [x + reach, y + reach], colour, 2);
+  segment(pen, [x - reach, y + reach], [x + reach, y - reach], colour, 2);
 }
 
 /**
  * @param {HTMLCanvasElement} canvas
- * @param {{places: number[][], width: number, current: number | null, last: import("./task.js").Trial | null, prediction: import("../../lib/pointpred.js").Prediction | null,
+ * @param {{places: number[][], width: number, current: number | null, last: import("./task.js").Trial | null, prediction: import("../../lib/index.d.ts").Prediction | null,
  *   probabilities?: number[], proposed?: number | null}} scene `probabilities` of the targets are shown as the opacity of
  *   their halos; that of the proposed one is broad
  */

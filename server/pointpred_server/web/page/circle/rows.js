@@ -24,7 +24,7 @@ export class CircleRows {
     else this.#writeUnscored(row);
   }
 
-  /** Writes the score of the oldest movement without one. @param {import("../../lib/pointpred.js").Score} score */
+  /** Writes the score of the oldest movement without one. @param {import("../../lib/index.d.ts").Score} score */
   addScore({ time_averaged_px: px, hold_px: hold, skill, reason }) {
     const row = this.#pending.shift();
     if (row === undefined) return;

@@ -1,6 +1,6 @@
 // The settings of a circle run, read from the form and checked against the size of the picture.
 
-import { radiusFor } from "./geometry.js";
+import { radiusFor } from "./task.js";
 
 /**
  * @typedef {{targets: number, distance: number, width: number, blocks: number, centre: [number, number], most: number}} Settings

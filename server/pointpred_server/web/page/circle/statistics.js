@@ -1,7 +1,6 @@
 // The statistics of ISO 9241-411 for blocks of trials.
 
 import { mean } from "../shell/numbers.js";
-import { along } from "./geometry.js";
 
 /** Width of the middle 96.12 % of a normal distribution, in standard deviations: one in 26 selections misses a target of this width. */
 const WIDTH_IN_SDS = 4.133;
@@ -13,6 +12,12 @@ const LEAST_SPREAD = 1e-6;
 function deviation(values) {
   const middle = mean(values);
   return Math.sqrt(values.reduce((sum, value) => sum + (value - middle) ** 2, 0) / (values.length - 1));
+}
+
+/** The distance of `point` from `from` along the axis to `to`. */
+function along(from, to, point) {
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  return ((point[0] - from[0]) * (to[0] - from[0]) + (point[1] - from[1]) * (to[1] - from[1])) / length;
 }
 
 /** @param {import("./task.js").Row} row */

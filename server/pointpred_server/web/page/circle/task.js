@@ -1,13 +1,32 @@
 // The multidirectional task of ISO 9241-411: turns presses into trials.
 
-import { circle } from "./geometry.js";
-
 /**
- * @typedef {import("../../lib/pointpred.js").EventRow} Row
- * @typedef {import("../../lib/pointpred.js").Goal} Goal
+ * @typedef {import("../../lib/index.d.ts").EventRow} Row
+ * @typedef {import("../../lib/index.d.ts").Goal} Goal
  * @typedef {{block: number, number: number, from: [number, number], target: [number, number], width: number,
  *   distance: number, start: Row, end: Row, hit: boolean, rows: Row[]}} Trial `rows`: after `start`, up to `end`
  */
+
+/** The radius of a circle on which an odd number of targets taken in turn are `distance` apart. */
+export const radiusFor = (distance, count) => distance / (2 * Math.cos(Math.PI / (2 * count)));
+
+/**
+ * Centres of the targets of ISO 9241-411 in the order they are taken: each lies across from the one before.
+ * @param {number} distance px between targets taken in turn
+ * @param {[number, number]} centre of the circle, px
+ * @param {number} count of targets, odd, so that the order across the circle visits all
+ * @returns {[number, number][]}
+ */
+export function circle(distance, centre, count = 13) {
+  if (!Number.isInteger(count) || count < 3 || count % 2 === 0) {
+    throw new RangeError(`the number of targets must be odd and at least 3, received ${count}`);
+  }
+  const radius = radiusFor(distance, count);
+  return Array.from({ length: count }, (_, k) => {
+    const angle = (2 * Math.PI * ((k * (Math.floor(count / 2) + 1)) % count)) / count;
+    return [centre[0] + radius * Math.sin(angle), centre[1] - radius * Math.cos(angle)];
+  });
+}
 
 /** Blocks of movements between targets; a block begins with a click on its first target and visits all of them. */
 export class CircleTask {

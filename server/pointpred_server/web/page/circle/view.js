@@ -1,20 +1,19 @@
 // The circle view: the settings, the run, and a row for each movement as it is scored.
 
-import { Ledger } from "../../lib/prediction/ledger.js";
 import { FrameLoop, onRepaint } from "../drawing/canvas.js";
 import { predictors } from "../service/listing.js";
-import { inPage } from "../service/place.js";
 import { ConnectionStatus, PredictorConnection } from "../service/predictor-connection.js";
+import { inPage } from "../service/service.js";
+import { Account } from "../shell/account.js";
 import { fillSelect, part, write } from "../shell/elements.js";
-import { accountOf, count } from "../shell/numbers.js";
+import { count } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
 import { CircleChoices } from "./choices.js";
-import { circle } from "./geometry.js";
 import { drawCircle } from "./picture.js";
 import { showResult } from "./results.js";
 import { CircleRows } from "./rows.js";
 import { fitDistance, fitsPicture, overlapWarning, readSettings } from "./settings.js";
-import { CircleTask } from "./task.js";
+import { CircleTask, circle } from "./task.js";
 
 const SHOWN_MS = 500; // a prediction is drawn for this long
 const READY = ["open", "idle"]; // states of a connection in which a run can start: the next event opens an idle one
@@ -43,7 +42,7 @@ let filled = false; // whether the predictors are offered
 let edited = false; // whether the person has set the distance
 let started = false; // whether the session knows where the current movement began
 /** @type {PredictorConnection|null} */ let connection = null;
-let ledger = new Ledger();
+let account = new Account();
 /** @type {CircleTask|null} */ let task = null;
 
 const isRunning = () => task !== null && !task.done;
@@ -105,9 +104,9 @@ function onState(state) {
 
 function onScore(score) {
   rows.addScore(score);
-  const { fired, hit, wasted, lead_s } = score;
-  if (fired != null) ledger.add({ proposed: fired, hit, wasted, lead_entry_s: lead_s });
-  write(ledgerLine, accountOf(ledger));
+  const { fired, wasted, lead_s } = score;
+  if (fired != null) account.add({ proposed: fired, wasted, lead_entry_s: lead_s });
+  write(ledgerLine, account.text);
 }
 
 /** @param {string} predictor */
@@ -137,7 +136,7 @@ function start() {
   }
   task = new CircleTask(settings);
   rows.clear();
-  ledger = new Ledger();
+  account = new Account();
   write(ledgerLine, "");
   connectWith(form.elements.predictor.value);
   if (connection !== null) choices.register(connection, task.places, settings.width);

@@ -2,7 +2,7 @@
 
 import { socketAddress } from "../../lib/client/address.js";
 import { RetryingSocket } from "../../lib/client/socket.js";
-import { read, token } from "../service/http.js";
+import { read, token } from "../service/service.js";
 
 /** The attached device, or a message why there is none. @returns {Promise<{attached: object|null, message: string}>} */
 export const attachedDevice = () => read("/v1/live");

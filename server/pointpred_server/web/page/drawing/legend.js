@@ -1,21 +1,13 @@
 // The symbols of the legend, drawn like what they stand for.
 
 import { clearCanvas, colours, onRepaint } from "./canvas.js";
-import { disc, drawEndpoint, drawPhase, line, MARKS, tile } from "./marks.js";
+import { disc, drawEndpoint, drawPhase, MARKS, segment, tile } from "./marks.js";
 import { drawRegions } from "./regions.js";
 
 const endpoint = (which) => (pen, width, height) => drawEndpoint(pen, which, [2, height / 2], [width - 12, height / 2]);
 const trail = (name) => (pen, width, height) => {
   const colour = colours()[name];
-  line(
-    pen,
-    [
-      [2, height / 2],
-      [width - 8, height / 2],
-    ],
-    colour,
-    3,
-  );
+  segment(pen, [2, height / 2], [width - 8, height / 2], colour, 3);
   disc(pen, [width - 7, height / 2], 5, colour, true);
 };
 const phase = (name) => (pen, width, height) => drawPhase(pen, name, 1, width - 1, 2, height - 4, 7);

@@ -19,6 +19,9 @@ export function line(pen, points, colour, width, dash = []) {
   pen.setLineDash([]);
 }
 
+/** A straight line between two points. @param {Pen} pen @param {Point} from @param {Point} to @param {string} colour @param {number} width */
+export const segment = (pen, from, to, colour, width) => line(pen, [from, to], colour, width);
+
 function paint(pen, colour, filled, width) {
   pen.strokeStyle = pen.fillStyle = colour;
   pen.lineWidth = width;

@@ -13,7 +13,7 @@ const OUTLINE_RANGE = { inner: [0.7, 1], outer: [1, 1.6] };
 /**
  * @typedef {{x: number, y: number, major: number, minor: number, angle: number}} Region half axes in px, angle in radians
  * @typedef {{inner: Region, outer: Region}} Regions of 50 % and of 80 %
- * @typedef {Pick<import("../../lib/pointpred.js").Prediction, "x"|"y"|"region">} Predicted
+ * @typedef {Pick<import("../../lib/index.d.ts").Prediction, "x"|"y"|"region">} Predicted
  */
 
 /** The regions of a prediction; null if it claims none. @param {Predicted|null|undefined} prediction @returns {Regions|null} */

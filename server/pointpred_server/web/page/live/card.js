@@ -19,8 +19,8 @@ export class LiveCard {
 
   /**
    * @param {HTMLElement} card @param {HTMLDetailsElement} parameters
-   * @param {(prediction: import("../../lib/pointpred.js").Prediction, name: string) => void} onPrediction is called with each, and with its predictor
-   * @param {import("../service/predictor-connection.js").Handlers} handlers @param {import("../../lib/pointpred.js").Options} options of the connection
+   * @param {(prediction: import("../../lib/index.d.ts").Prediction, name: string) => void} onPrediction is called with each, and with its predictor
+   * @param {import("../service/predictor-connection.js").Handlers} handlers @param {import("../../lib/index.d.ts").ConnectOptions} options of the connection
    */
   constructor(card, parameters, onPrediction, handlers = {}, options = {}) {
     this.#options = options;

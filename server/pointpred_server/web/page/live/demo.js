@@ -23,7 +23,7 @@ export class Demo {
 
   /**
    * Requests the movements unless they are there. @param {number} now ms
-   * @param {{predictor: string, parameters: Object<string, number>, tiles: import("../../lib/pointpred.js").Target[], width: number, height: number}} scene
+   * @param {{predictor: string, parameters: Object<string, number>, tiles: import("../../lib/index.d.ts").NamedTarget[], width: number, height: number}} scene
    */
   request(now, scene) {
     const text = JSON.stringify(scene);

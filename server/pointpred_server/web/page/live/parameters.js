@@ -7,7 +7,7 @@ const STEPS = 200;
 const WIDE = 20; // bounds beyond this ratio to the default are too wide for a linear slider
 const SPAN = 30;
 
-/** @typedef {import("../../lib/prediction/description.js").Described} Parameter */
+/** @typedef {import("../service/listing.js").Described} Parameter */
 
 /**
  * The range of a slider: `log` if it spans decades; narrower than the bounds if those are too wide.

@@ -13,7 +13,7 @@ const PAUSE_S = 0.3; // no line is drawn across a longer pause
  * @typedef {{prediction: import("../service/predictor-connection.js").Prediction & {x: number, y: number}, regions: import("../drawing/regions.js").Regions|null, opacity: number,
  *   outlines?: [number, number][][][]|null}} Mark a prediction as it is drawn now, in px of the picture: the endpoint, the ellipses of
  *   its regions, and the outlines of a mixture's that are drawn instead
- * @typedef {{list: import("../../lib/pointpred.js").Target[], opacities: Object<string, number>, proposed: string|null}} TileState
+ * @typedef {{list: import("../../lib/index.d.ts").NamedTarget[], opacities: Object<string, number>, proposed: string|null}} TileState
  */
 
 /** The part of a trail that is recent enough to draw; all of it if the pointer has rested since. @param {number[][]} trail [t s, x, y] @param {number} now s */

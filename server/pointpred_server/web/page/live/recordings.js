@@ -1,7 +1,7 @@
 // What the tiles stand for: recordings that load while the pointer is on its way, by the product's own `onIntent`.
 
 import { ledger, onIntent, onLedger } from "../../lib/intent/index.js";
-import { sample, samples } from "../service/samples.js";
+import { sample, samples } from "../service/service.js";
 import { cellsOf, part, write } from "../shell/elements.js";
 import { bounds, number } from "../shell/numbers.js";
 

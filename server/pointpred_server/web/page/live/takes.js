@@ -1,9 +1,7 @@
 // Simulated movements of the embedded sample, turned so that they end on a tile, with the prediction after each event.
 
 import { connect } from "../../lib/pointpred.js";
-import { token } from "../service/http.js";
-import { inPage } from "../service/place.js";
-import { sample, samples } from "../service/samples.js";
+import { inPage, sample, samples, token } from "../service/service.js";
 import { speed } from "./movement.js";
 import { proposedAfter } from "./tiles.js";
 
@@ -49,7 +47,7 @@ function transform(rows, [startX, startY], [endX, endY]) {
 
 /**
  * Requests the movements and their predictions one after another, over a connection of its own.
- * @param {{predictor: string, parameters: Object<string, number>, tiles: import("../../lib/pointpred.js").Target[], width: number, height: number}} scene
+ * @param {{predictor: string, parameters: Object<string, number>, tiles: import("../../lib/index.d.ts").NamedTarget[], width: number, height: number}} scene
  * @param {(take: Take) => void} onTake @param {AbortSignal} signal
  */
 export async function requestTakes({ predictor, parameters, tiles, width, height }, onTake, signal) {
@@ -116,7 +114,7 @@ function answersTo(connection, rows, offset) {
   });
 }
 
-/** The tile that is predicted after each event. @param {number[]} times s @param {import("../../lib/pointpred.js").Choice[]} choices */
+/** The tile that is predicted after each event. @param {number[]} times s @param {import("../../lib/index.d.ts").Choice[]} choices */
 export function proposedAt(times, choices) {
   let next = 0,
     /** @type {string|null} */ proposed = null;

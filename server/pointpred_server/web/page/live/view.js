@@ -6,10 +6,9 @@ import { SmoothRegions } from "../drawing/regions.js";
 import { predictors } from "../service/listing.js";
 import { cellsOf, part, write } from "../shell/elements.js";
 import { explainPredictors } from "../shell/glossary.js";
-import { accountOf, median, number } from "../shell/numbers.js";
+import { median, number } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
 import { LiveCard } from "./card.js";
-import { Comparison } from "./comparison.js";
 import { Demo, judge, positionAt } from "./demo.js";
 import { describe, RecentLeads } from "./earliness.js";
 import { Movement, speed } from "./movement.js";
@@ -58,7 +57,6 @@ const second = new LiveCard(part("live-card-1"), secondParameters, (prediction, 
   movement.addPrediction(1, prediction, name),
 );
 const cards = [first, second];
-const comparison = new Comparison(() => ({ predictor: first.select.value, parameters: first.parameters.values }));
 
 /** @type {SpeedStrip|null} */ let strip = null;
 let active = false;
@@ -70,6 +68,7 @@ let judged = true;
 let writeAt = 0;
 let frames = 0;
 /** @type {string|null} */ let ownVerdict = null; // the sentence on the person's own movement, while that of the demo is shown
+/** @type {import("./takes.js").Take|null} */ let judgedTake = null; // the simulated movement that the sentence is on
 /** @type {LiveCard["connection"]} */ let informed = null; // the connection that has the positions of the tiles
 /** @type {typeof import("./recordings.js")|null} */ let recordings = null; // the module of what the tiles stand for, which follows when the first prediction is there
 
@@ -82,13 +81,12 @@ function move(rows) {
   movement.move(rows);
   tiles.move(rows);
   for (const card of cards) card.connection?.send(rows);
-  comparison.send(rows);
 }
 
 function press(row) {
   movement.press(row[0]);
   clickedTile = tiles.press(row);
-  write(ledger, accountOf(tiles.ledger) || ledger.textContent);
+  write(ledger, tiles.account.text || ledger.textContent);
 }
 
 function frame(now) {
@@ -122,7 +120,7 @@ function sendTiles() {
 function showPointer(now) {
   demo.pause();
   if (ownVerdict !== null) write(verdict, ownVerdict);
-  ownVerdict = null;
+  ownVerdict = judgedTake = null;
   const seconds = performance.now() / 1000,
     marks = cards.map((card) => card.mark(now));
   const { list, probabilities } = tiles;
@@ -186,7 +184,6 @@ function writeNumbers(now, { marks, speed: pace, rate, delay }) {
   write(numbers.speed, number(pace));
   write(numbers.delay, number(delay ?? first.connection?.delay(), 2));
   marks.forEach((mark, i) => cards[i].fields.writeTimes(mark));
-  comparison.update();
 }
 
 /** Writes how early the end of the person's movement was predicted. */
@@ -209,7 +206,10 @@ function judgeMovement() {
   });
 }
 
+/** Writes how early the end of a simulated movement was predicted, once. @param {import("./takes.js").Take} take */
 function judgeDemo(take) {
+  if (take === judgedTake) return;
+  judgedTake = take;
   const { verdict: result, tile } = judge(take, first.select.value, tiles.list);
   if (result === null) return;
   ownVerdict ??= verdict.textContent;
@@ -226,7 +226,6 @@ export async function open() {
   loop.start();
   recordings?.open();
   await fillCards();
-  if (active) comparison.open();
 }
 
 /** Offers the predictors, and connects with the recommended one. */
@@ -252,7 +251,6 @@ export function close() {
   recordings?.close();
   tiles.clear();
   demo.close();
-  comparison.close();
   for (const card of cards) card.close();
 }
 

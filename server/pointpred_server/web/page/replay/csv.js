@@ -9,17 +9,8 @@ const MIB = 1024 * 1024;
 const MOST_BYTES = 64 * MIB;
 const HEAD_BYTES = 4096;
 
-/** A file that cannot be opened; `code` is what is wrong with it. */
-class FileError extends Error {
-  /**
-   * @param {"bad_header"|"bad_row"|"wrong_count"|"no_column"|"no_movement"|"no_samples"|"not_a_table"|"several"|"too_large"|"unreadable"|"foreign"} code
-   * @param {string} message
-   */
-  constructor(code, message) {
-    super(message);
-    this.code = code;
-  }
-}
+/** A file that cannot be opened. */
+class FileError extends Error {}
 
 /** The cells of a line; a cell may be quoted, with quotes doubled inside. */
 function cells(text) {
@@ -33,7 +24,7 @@ function cells(text) {
 function parseHeader(line) {
   if (!line?.startsWith(MARK)) return {};
   const refuse = (what) => {
-    throw new FileError("bad_header", `its ${MARK} line is ${what}: ${line.slice(MARK.length, 60).trim()}`);
+    throw new FileError(`its ${MARK} line is ${what}: ${line.slice(MARK.length, 60).trim()}`);
   };
   /** @type {any} */
   let header = null;
@@ -58,11 +49,11 @@ export function parse(text) {
   const rows = lines.map((line, i) => {
     const row = cells(line);
     if (row.length !== columns.length)
-      throw new FileError("bad_row", `row ${i} has ${row.length} cells, expected ${columns.length}`);
+      throw new FileError(`row ${i} has ${row.length} cells, expected ${columns.length}`);
     return row;
   });
   if (header.rows !== undefined && header.rows !== rows.length)
-    throw new FileError("wrong_count", `${rows.length} rows, but its header says ${header.rows}`);
+    throw new FileError(`${rows.length} rows, but its header says ${header.rows}`);
   return { header, columns, rows };
 }
 
@@ -96,7 +87,6 @@ function movementsIn({ columns, rows }, targets) {
   const missing = REQUIRED.find((name) => !columns.includes(name));
   if (missing)
     throw new FileError(
-      "no_column",
       `the column ${missing} is missing; its columns are ${columns.slice(0, 8).join(", ").slice(0, 80)}`,
     );
   const [user, trial, ...values] = [...REQUIRED, ...OPTIONAL].map((name) => columns.indexOf(name));
@@ -113,10 +103,7 @@ function movementsIn({ columns, rows }, targets) {
   const unusable = all.find((one) => problemWith(one) !== null);
   const reason = unusable === undefined ? "" : `${unusable.user} ${unusable.name}: ${problemWith(unusable)}`;
   if (movements.length === 0)
-    throw new FileError(
-      "no_movement",
-      `${count(all.length, "movement")}, none of which can be shown${reason && `; ${reason}`}`,
-    );
+    throw new FileError(`${count(all.length, "movement")}, none of which can be shown${reason && `; ${reason}`}`);
   return { movements, skipped: all.length - movements.length, reason };
 }
 
@@ -125,25 +112,22 @@ function naming({ name }, act) {
   try {
     return act();
   } catch (error) {
-    throw error instanceof FileError ? new FileError(error.code, `${name}: ${error.message}`) : error;
+    throw error instanceof FileError ? new FileError(`${name}: ${error.message}`) : error;
   }
 }
 
 /** The text of a file, or of a part of it. */
 function textOf(part, { name }) {
   return part.text().catch(() => {
-    throw new FileError("unreadable", `${name} cannot be read: is it a folder?`);
+    throw new FileError(`${name} cannot be read: is it a folder?`);
   });
 }
 
 async function readTable(file) {
   if (!(await isOwnFormat(file)))
-    throw new FileError(
-      "foreign",
-      `${file.name} is not pointpred's own CSV; the command pointpred convert makes one of it`,
-    );
+    throw new FileError(`${file.name} is not pointpred's own CSV; the command pointpred convert makes one of it`);
   if (file.size > MOST_BYTES)
-    throw new FileError("too_large", `${file.name} is larger than ${MOST_BYTES / MIB} MiB; use pointpred score`);
+    throw new FileError(`${file.name} is larger than ${MOST_BYTES / MIB} MiB; use pointpred score`);
   const text = await textOf(file, file);
   return { file, ...naming(file, () => parse(text)) };
 }
@@ -157,13 +141,11 @@ function assignRoles(tables) {
   const unknown = tables.filter((one) => !samples.includes(one) && !trials.includes(one));
   if (unknown.length)
     throw new FileError(
-      "not_a_table",
       `${names(unknown)} has neither the columns of samples (${REQUIRED.join(", ")}) nor those of trials`,
     );
-  if (samples.length === 0) throw new FileError("no_samples", `${names(tables)} has trials but no samples`);
+  if (samples.length === 0) throw new FileError(`${names(tables)} has trials but no samples`);
   for (const several of [samples, trials])
-    if (several.length > 1)
-      throw new FileError("several", `only one recording can be opened at a time, not ${names(several)}`);
+    if (several.length > 1) throw new FileError(`only one recording can be opened at a time, not ${names(several)}`);
   return [samples[0], trials[0]];
 }
 
@@ -182,7 +164,7 @@ async function isOwnFormat(file) {
  * Reads a table of samples, and its table of trials if it is among the files.
  * @param {File[]} files
  * @returns {Promise<{name: string, dpi: number, cpi: number|null, simulated: boolean, skipped: number, reason: string,
- *   movements: {name: string, user: string, rows: import("../../lib/pointpred.js").EventRow[], target: import("../../lib/pointpred.js").Goal|null}[]}>} `skipped` movements cannot be shown,
+ *   movements: {name: string, user: string, rows: import("../../lib/index.d.ts").EventRow[], target: import("../../lib/index.d.ts").Goal|null}[]}>} `skipped` movements cannot be shown,
  *   the first for this `reason`
  */
 export async function readFiles(files) {

@@ -1,7 +1,7 @@
 // The errors along a recorded movement against time, below a slider over the same time.
 
 import { clearCanvas, colours } from "../drawing/canvas.js";
-import { line, MARKS } from "../drawing/marks.js";
+import { line, MARKS, segment } from "../drawing/marks.js";
 import { errorAt } from "./picture.js";
 
 /** Margins of the plot, px: the style sheet gives the slider the same, so that both show the same time. */
@@ -28,30 +28,14 @@ function drawAxes(pen, frame, duration, most) {
   pen.textAlign = "right";
   pen.textBaseline = "middle";
   for (const mark of ticks(most, 3)) {
-    line(
-      pen,
-      [
-        [left, y(mark)],
-        [right, y(mark)],
-      ],
-      grid,
-      1,
-    );
+    segment(pen, [left, y(mark)], [right, y(mark)], grid, 1);
     pen.fillText(String(mark), left - 6, y(mark));
   }
   const times = ticks(duration, Math.max(2, (right - left) / 70));
   pen.textAlign = "center";
   pen.textBaseline = "alphabetic";
   for (const mark of times) {
-    line(
-      pen,
-      [
-        [x(mark), top],
-        [x(mark), foot],
-      ],
-      grid,
-      1,
-    );
+    segment(pen, [x(mark), top], [x(mark), foot], grid, 1);
     pen.fillText(`${mark.toFixed(decimals(times))} s`, x(mark), foot + 16);
   }
   pen.textAlign = "left";
@@ -87,15 +71,7 @@ export function drawErrors(canvas, movement, columns, now) {
     );
   stroke(hold, none);
   predicted.forEach((values, which) => stroke(values, markColours[MARKS[which].colour], MARKS[which].outline));
-  line(
-    pen,
-    [
-      [x(now), top],
-      [x(now), foot],
-    ],
-    past,
-    2,
-  );
+  segment(pen, [x(now), top], [x(now), foot], past, 2);
   pen.restore();
   canvas.dataset.now = String(x(now));
 }

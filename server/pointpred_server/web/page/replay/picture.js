@@ -10,7 +10,7 @@ const MARGIN_PX = 22;
 /**
  * @typedef {{t: number[], x: number[], y: number[], target: {x: number, y: number, width: number} | null, person: string,
  *   predictions: Object<string, Column>}} Movement predictions by their predictor
- * @typedef {{x: (number|null)[], y: (number|null)[], regions: import("../../lib/pointpred.js").Prediction["region"][]}} Column the predictions of a predictor, one per event
+ * @typedef {{x: (number|null)[], y: (number|null)[], regions: import("../../lib/index.d.ts").Prediction["region"][]}} Column the predictions of a predictor, one per event
  */
 
 /** The distance from a predicted point to where the movement ended, px; null if nothing was predicted. @param {Movement} movement @param {Pick<Column, "x"|"y">} column @param {number} i @returns {number|null} */

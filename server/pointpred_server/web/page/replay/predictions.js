@@ -1,8 +1,7 @@
 // Predictions along a recorded movement: a session answers each of its events.
 
 import { connect } from "../../lib/pointpred.js";
-import { token } from "../service/http.js";
-import { inPage } from "../service/place.js";
+import { inPage, token } from "../service/service.js";
 
 const PART = 512; // events per message; the next message waits for the answers, so that none is dropped
 const PER_S = 10000; // that a service takes
@@ -26,13 +25,13 @@ function nextMessage(connection, name, accept) {
 
 /**
  * The prediction of a predictor after each event of a movement.
- * @param {import("../../lib/pointpred.js").EventRow[]} rows @param {string} predictor
+ * @param {import("../../lib/index.d.ts").EventRow[]} rows @param {string} predictor
  * @param {{dpi: number, cpi: number|null}} resolution
  * @returns {Promise<import("./picture.js").Column>}
  */
 export async function predictionsAlong(rows, predictor, { dpi, cpi }) {
   const page = inPage();
-  /** @type {import("../../lib/pointpred.js").Options} */
+  /** @type {import("../../lib/index.d.ts").ConnectOptions} */
   const options = {
     page,
     predictor,

@@ -1,7 +1,6 @@
 // Where replayed movements come from: the embedded sample, or a recording that the person has opened.
 
-import { hasService } from "../service/place.js";
-import { sample, samples } from "../service/samples.js";
+import { hasService, sample, samples } from "../service/service.js";
 import { count } from "../shell/numbers.js";
 import { readFiles } from "./csv.js";
 import { predictionsAlong } from "./predictions.js";

@@ -3,7 +3,7 @@
 import { clearCanvas, onRepaint } from "../drawing/canvas.js";
 import { drawLegends } from "../drawing/legend.js";
 import { predictors } from "../service/listing.js";
-import { hasService, inPage } from "../service/place.js";
+import { hasService, inPage } from "../service/service.js";
 import { fillSelect, part, sentence, write } from "../shell/elements.js";
 import { number } from "../shell/numbers.js";
 import { acceptFiles } from "./drop.js";
@@ -41,10 +41,10 @@ const columnsOf = (shown) => selects.map(({ value }) => shown.predictions[value]
 
 const chosenPredictors = () => [...new Set(selects.map(({ value }) => value).filter(Boolean))];
 
-/** Writes the line about the source. @param {"reading"|"open"|"failed"} state @param {string} code of the error */
-function showStatus(text, state, code = "") {
+/** Writes the line about the source. @param {"reading"|"open"|"failed"} state */
+function showStatus(text, state) {
   write(status, text);
-  Object.assign(status.dataset, { state, code });
+  status.dataset.state = state;
 }
 
 /** Shows a movement at a time in ms; by default when half of the distance is done. @param {number} which @param {number|null} [ms] */
@@ -155,8 +155,8 @@ async function openRecording(files) {
   try {
     await changeSource(fileSource(files));
   } catch (error) {
-    const { message, code } = /** @type {Error & {code?: string}} */ (error);
-    showStatus(`Not opened: ${message}.${source === null ? "" : ` Still open: ${source.title}.`}`, "failed", code);
+    const { message } = /** @type {Error} */ (error);
+    showStatus(`Not opened: ${message}.${source === null ? "" : ` Still open: ${source.title}.`}`, "failed");
   }
 }
 

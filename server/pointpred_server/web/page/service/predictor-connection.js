@@ -3,8 +3,7 @@
 import { connect } from "../../lib/pointpred.js";
 import { write } from "../shell/elements.js";
 import { median } from "../shell/numbers.js";
-import { token } from "./http.js";
-import { inPage } from "./place.js";
+import { inPage, token } from "./service.js";
 
 const PAGE_TEXTS = {
   connecting: "Loading the predictor…",
@@ -24,7 +23,7 @@ const SERVICE_TEXTS = {
 const MOST_DELAYS = 4000;
 
 /**
- * @typedef {import("../../lib/pointpred.js").Messages} Messages
+ * @typedef {import("../../lib/index.d.ts").Messages} Messages
  * @typedef {Messages["prediction"] & {mixture?: import("../../lib/prediction/mixture.js").Mixture|null}} Prediction with what the
  *   page knows beyond one law
  * @typedef {{[Name in "state"|"prediction"|"score"|"choice"|"cursor"|"error"]?: (message: Messages[Name]) => void}} Handlers
@@ -37,7 +36,6 @@ export const stateText = (state) => (inPage() ? PAGE_TEXTS : SERVICE_TEXTS)[stat
 export class PredictorConnection {
   /** @type {Prediction|null} */ latest = null;
   /** When `latest` was received, on the page's clock, ms. */ at = -Infinity;
-  /** Predictions received. */ received = 0;
   /** The newest error. @type {string|null} */ error = null;
   #connection;
   #delays = [];
@@ -45,7 +43,7 @@ export class PredictorConnection {
   /**
    * @param {string} predictor
    * @param {Handlers} handlers
-   * @param {import("../../lib/pointpred.js").Options} options
+   * @param {import("../../lib/index.d.ts").ConnectOptions} options
    */
   constructor(predictor, handlers = {}, options = {}) {
     this.predictor = predictor;
@@ -53,7 +51,6 @@ export class PredictorConnection {
     this.#connection.on("prediction", (prediction) => {
       this.latest = { ...prediction, mixture: this.#connection.mixture };
       this.at = performance.now();
-      this.received += 1;
       this.#delays.push([this.at, this.#connection.delayMs]);
       if (this.#delays.length > MOST_DELAYS) this.#delays.splice(0, MOST_DELAYS / 2);
       handlers.prediction?.(prediction);
@@ -74,11 +71,6 @@ export class PredictorConnection {
     return this.#connection.state;
   }
 
-  /** The newest delay, ms; null before the first prediction. @returns {number|null} */
-  get delayMs() {
-    return this.#connection.delayMs;
-  }
-
   /** The median delay of the last second, ms; NaN if there was no prediction. */
   delay() {
     const since = performance.now() - 1000;
@@ -91,17 +83,17 @@ export class PredictorConnection {
     return this.#connection.welcome?.predictor ?? this.predictor;
   }
 
-  /** @param {import("../../lib/pointpred.js").EventRow[]} rows */
+  /** @param {import("../../lib/index.d.ts").EventRow[]} rows */
   send(rows) {
     this.#connection.send(rows);
   }
 
-  /** @param {import("../../lib/pointpred.js").Target[]} list */
+  /** @param {import("../../lib/index.d.ts").NamedTarget[]} list */
   setTargets(list) {
     this.#connection.targets(list);
   }
 
-  /** @param {"start"|"end"} action @param {import("../../lib/pointpred.js").Goal} goal */
+  /** @param {"start"|"end"} action @param {import("../../lib/index.d.ts").Goal} goal */
   trial(action, goal) {
     this.#connection.trial(action, goal);
   }
@@ -118,7 +110,7 @@ export class PredictorConnection {
     this.#connection.configure({ predictor, parameters });
   }
 
-  /** @param {import("../../lib/pointpred.js").Options["assist"]} assist */
+  /** @param {import("../../lib/index.d.ts").ConnectOptions["assist"]} assist */
   setAssistance(assist) {
     this.#connection.configure({ assist });
   }

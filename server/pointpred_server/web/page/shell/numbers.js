@@ -13,13 +13,6 @@ export function number(value, decimals = 0, unit = "") {
 /** A count with its noun, in the plural unless it is one. */
 export const count = (value, noun) => `${value} ${noun}${value === 1 ? "" : "s"}`;
 
-/** What became of proposals, as a sentence; empty before the first movement. @param {import("../../lib/prediction/ledger.js").Ledger} ledger */
-export function accountOf({ summary: { movements, proposed, hit, wasted, median_lead_entry_s: lead } }) {
-  if (movements === 0) return "";
-  const early = lead === null ? "" : `, ${number(1000 * lead, 0, "ms")} early`;
-  return `Proposed in time: ${hit} of ${count(movements, "movement")}${early}; ${wasted} of ${count(proposed, "proposal")} wrong.`;
-}
-
 /** A share in per cent. */
 export const percent = (share, decimals = 0) => number(share === null ? null : 100 * share, decimals, "%");
 

@@ -1,13 +1,10 @@
-// The pointer over an element: every coalesced sample as a row [t, x, y, dx, dy, buttons] of the service.
+// The pointer over an element of the page.
 
-/** @typedef {import("../../lib/pointpred.js").EventRow} Row */
+import { PointerStream } from "../../lib/client/pointer-stream.js";
 
-/** A sample relative to a corner of the viewport; browsers report no device counts. @param {PointerEvent} event @param {number[]} corner @returns {Row} */
-function row(event, [left, top]) {
-  return [event.timeStamp / 1000, event.clientX - left, event.clientY - top, null, null, event.buttons];
-}
+/** @typedef {import("../../lib/index.d.ts").EventRow} Row */
 
-/** The upper left corner of an element inside its border, where the drawing on a canvas begins. */
+/** The upper left corner of an element inside its border, where the drawing on a canvas begins. @param {HTMLElement} element */
 function corner(element) {
   const { left, top } = element.getBoundingClientRect();
   return [left + element.clientLeft, top + element.clientTop];
@@ -24,32 +21,27 @@ function corner(element) {
  * @param {HTMLElement} frame positions are relative to the upper left corner inside its border
  */
 export function listenToPointer(element, { onMove, onPress, onRelease }, frame = element) {
-  let last = -Infinity;
-
-  function samples(event) {
-    const from = corner(frame);
-    const coalesced = event.getCoalescedEvents?.() ?? [];
-    const rows = (coalesced.length ? coalesced : [event]).map((each) => row(each, from));
-    const fresh = rows.filter(([t]) => t >= last); // a press may be reported before the samples that led to it
-    if (fresh.length) last = fresh[fresh.length - 1][0];
-    return fresh;
-  }
-
-  function click(event, handle) {
-    const rows = samples(event);
-    if (!rows.length) rows.push([last, ...row(event, corner(frame)).slice(1)]);
-    onMove(rows);
-    handle?.(rows[rows.length - 1], event);
-  }
-
-  element.addEventListener("pointermove", (event) => {
-    const rows = event.isPrimary ? samples(event) : [];
-    if (rows.length) onMove(rows);
+  /** @param {Row[]} rows @returns {Row[]} */
+  const placed = (rows) => {
+    const [left, top] = corner(frame);
+    return rows.map(([t, x, y, ...others]) => [t, x - left, y - top, ...others]);
+  };
+  const stream = new PointerStream(element, {
+    raw: false,
+    onRows: (rows) => onMove(placed(rows)),
+    signal: new AbortController().signal,
   });
-  element.addEventListener("pointerdown", (event) => {
+  /** @param {PointerEvent} event @param {((row: Row, event: PointerEvent) => void)|undefined} handle */
+  function click(event, handle) {
     if (!event.isPrimary) return;
-    if (event.pointerType !== "mouse") /** @type {Element} */ (event.target).setPointerCapture(event.pointerId);
+    stream.flush();
+    const { timeStamp, clientX, clientY, buttons } = event;
+    handle?.(placed([[timeStamp / 1000, clientX, clientY, null, null, buttons]])[0], event);
+  }
+  element.addEventListener("pointerdown", (event) => {
+    if (event.isPrimary && event.pointerType !== "mouse")
+      /** @type {Element} */ (event.target).setPointerCapture(event.pointerId);
     click(event, onPress);
   });
-  element.addEventListener("pointerup", (event) => event.isPrimary && click(event, onRelease));
+  element.addEventListener("pointerup", (event) => click(event, onRelease));
 }

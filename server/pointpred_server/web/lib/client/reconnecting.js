@@ -1,23 +1,30 @@
-// Attempts to open a connection again: each waits longer than the one before.
+// What can be opened again: each attempt waits longer than the one before.
 
 const FIRST_WAIT_MS = 250;
 const LONGEST_WAIT_MS = 8000;
 const STEADY_MS = 2000; // a session that lasts this long resets the waits
 
-/** The waits between attempts. */
-export class Retries {
+/** A socket to the service, or what stands for one in the page: one session at a time. */
+export class Reconnecting {
+  /** Whether the newest attempt was ever open: if not, it was refused, or what it needs cannot be reached. */ opened = false;
   #attempts = 0;
   #timer;
   #sessionAt = Infinity;
 
-  /** Whether a session has begun since the newest attempt. */
+  /** Whether what is sent now goes out. */
+  get isOpen() {
+    return false;
+  }
+
+  /** Whether a session has begun since the newest attempt, and goes on. */
   get hasSession() {
-    return this.#sessionAt < Infinity;
+    return this.isOpen && this.#sessionAt < Infinity;
   }
 
   /** An attempt begins: there is no session. */
   begin() {
-    this.cancel();
+    this.cancelRetry();
+    this.opened = false;
     this.#sessionAt = Infinity;
   }
 
@@ -38,7 +45,7 @@ export class Retries {
   }
 
   /** Gives up waiting for the next attempt. */
-  cancel() {
+  cancelRetry() {
     clearTimeout(this.#timer);
   }
 }
