@@ -98,11 +98,11 @@ export interface Firing {
   t: number;
   /** The predicted time until the pointer arrives, s; null where none is predicted. */
   remaining_s: number | null;
-  /** Is aborted when a highlight ends, and when the registration stops. */
+  /** Is aborted when a highlight ends, before the registration fires again, and when it stops. */
   signal: AbortSignal;
 }
 
-/** May return a function, or a promise of one, which is called when a highlight ends. */
+/** May return a function, or a promise of one, which is called when the signal of the firing is aborted. */
 export type IntentCallback = (firing: Firing) => unknown;
 
 /** A registered element. */

@@ -70,6 +70,7 @@ export class Registration {
     const { policy, saveData } = this.options;
     this.#withheld = policy === "prefetch" && saveData === "respect" && isReduced();
     if (this.#withheld) return ledger.withhold(this, cause);
+    this.#finish(); // what the firing before has begun
     const end = new AbortController();
     [this.#firedAt, this.#firedIn, this.#end, this.#cleanup] = [cause.t, visit, end, null];
     this.firing = { element: this.element, name: this.name, policy, ...cause, signal: end.signal };
