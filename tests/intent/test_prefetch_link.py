@@ -98,6 +98,25 @@ def test_what_a_pattern_or_a_function_ignores_is_left_out(page: IntentPage) -> N
     assert ["mine", True] in page.value("errors"), "what cannot be judged is left out, and no firing holds"
 
 
+def test_a_global_pattern_ignores_every_page(page: IntentPage) -> None:
+    page.make(
+        f"{LINK} link('a', 100, '/account/1'); link('b', 350, '/account/2'); link('c', 600, '/c.html');"
+        "prefetchLink('a', { predictor: 'minimum-jerk', ignore: [/account/g, /nothing/y] })"
+    )
+    assert cross(page, 150, 400, 650, 150, 400) == ["/c.html"]
+    assert page.visitor.complaints() == []
+
+
+def test_an_address_that_is_taken_back_loads_nothing(page: IntentPage) -> None:
+    page.make(
+        "box('card', 300, 500); let isGone = false;"
+        "prefetchLink('button', { predictor: 'minimum-jerk', href: () => (isGone ? null : '/card.html'),"
+        " enabled: () => (isGone = true) })"
+    )
+    assert cross(page, 350) == []
+    assert page.visitor.complaints() == []
+
+
 def test_no_more_pages_than_the_limit_are_loaded(page: IntentPage) -> None:
     page.make(
         f"{LINK} for (const i of [1, 2, 3]) link(`a${{i}}`, 250 * i, `/${{i}}.html`);"

@@ -40,8 +40,10 @@ function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonc
   };
   let left = limit;
   const load = ({ element }) => {
+    const page = pageFor(element);
+    if (page === null) return; // it was there a moment ago
     left -= 1;
-    ask(/** @type {import("./pages.js").Page} */ (pageFor(element)), action, nonce);
+    ask(page, action, nonce);
   };
   const isOn = (link) => {
     const page = pageFor(link);
@@ -119,6 +121,6 @@ function loadable(link, { href, ignores, origins }) {
     !link.hasAttribute("download") &&
     !link.closest("[data-no-prefetch]") &&
     !UNSAFE.test(url.pathname + url.search) &&
-    !ignores.some((one) => (one instanceof RegExp ? one.test(url.href) : one(link, url)));
+    !ignores.some((one) => (one instanceof RegExp ? url.href.search(one) >= 0 : one(link, url)));
   return isLoaded ? url.href : null;
 }
