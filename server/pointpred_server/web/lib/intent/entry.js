@@ -28,6 +28,10 @@ export class Entry {
     this.shown = element;
     /** Its rectangle, px of the viewport. @type {() => DOMRectReadOnly} */
     this.box = () => element.getBoundingClientRect();
+    /** The rectangles of its lines. @type {() => Iterable<DOMRectReadOnly>} */
+    this.parts = () => element.getClientRects();
+    /** What does not lie over it: for an area the map. */
+    this.whole = element;
   }
 
   /** Takes the largest weight and slop of its registrations, and for each policy the lowest threshold. */
@@ -67,14 +71,21 @@ export class Entry {
     return this.element.matches(UNUSABLE) || getComputedStyle(this.shown).pointerEvents === "none";
   }
 
-  /** Whether something else, such as a dialog, lies over its middle. */
+  /** Whether something else, such as a dialog, lies over the middle of what is seen of it: of a wrapped link its largest part. */
   get isCovered() {
     if (performance.now() - this.#coveredAt < COVERED_MS) return this.#covered;
-    const { left, top, right, bottom } = this.box();
-    const middle = (low, high, most) => 0.5 * (Math.max(low, 0) + Math.min(high, most));
-    const hit = this.#hit(middle(left, right, innerWidth), middle(top, bottom, innerHeight));
+    let largest = 0;
+    /** @type {Element|null} */ let hit = null;
+    for (const { left, top, right, bottom } of this.parts()) {
+      const [west, north] = [Math.max(left, 0), Math.max(top, 0)],
+        [east, south] = [Math.min(right, innerWidth), Math.min(bottom, innerHeight)],
+        size = Math.max(east - west, 0) * Math.max(south - north, 0);
+      if (size <= largest) continue;
+      largest = size;
+      hit = this.#hit(0.5 * (west + east), 0.5 * (north + south));
+    }
     this.#coveredAt = performance.now();
-    this.#covered = hit !== null && hit !== this.shown && !this.element.contains(hit) && !hit.contains(this.element);
+    this.#covered = hit !== null && hit !== this.shown && !this.whole.contains(hit) && !hit.contains(this.element);
     return this.#covered;
   }
 
