@@ -306,7 +306,7 @@ export interface Pipeline {
    */
   register(targets: readonly Target[]): void;
   update(event: PointerSample): PredictionInPage | null;
-  /** The cursor is in this window from now on, with its origin at x and y, px. */
+  /** The next movement is in this window, with its origin at x and y, px; one that goes on stays where it began. */
   enter(key: string, x?: number, y?: number): void;
   /** Forgets the person. */
   forget(): void;
