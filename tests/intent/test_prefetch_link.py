@@ -197,6 +197,14 @@ def test_rules_make_room_so_that_every_page_is_asked_for(page: IntentPage) -> No
     assert page.value(f"{RULES}.length") == 40
 
 
+def test_pages_that_nobody_asked_for_are_not_remembered_for_good(page: IntentPage) -> None:
+    assert page.value("""import('/pointpred/intent/pages.js').then(({ pageOf }) => {
+      const [asked, other] = ['asked', 'other'].map(pageOf);
+      asked.askedAt = performance.now();
+      for (let i = 0; i < 1000; i += 1) pageOf(String(i));
+      return [pageOf('asked') === asked, pageOf('other') === other]; })""") == [True, False]
+
+
 def test_a_page_that_the_browser_has_forgotten_is_asked_for_again(page: IntentPage) -> None:
     page.make(
         f"{LINK} link('a', 600, '/next.html'); prefetchLink('a', {{ predictor: 'minimum-jerk', again_s: 1 }})"

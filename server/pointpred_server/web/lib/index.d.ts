@@ -218,7 +218,9 @@ export interface LedgerSummary extends Counts {
   names: Record<string, Counts>;
 }
 
-export interface LedgerEntry extends Omit<Firing, "remaining_s" | "signal"> {
+export interface LedgerEntry extends Omit<Firing, "element" | "remaining_s" | "signal"> {
+  /** Null if it has gone meanwhile. */
+  element: Element | null;
   kind: "fired" | "hit" | "withheld" | "withdrawn";
   /** Of a hit. */
   lead_s: number | null;

@@ -1,6 +1,7 @@
 // Asks the browser for pages ahead: by Speculation Rules where they are allowed, else by <link rel=prefetch>.
 
 const FRESH_MS = 300000; // the browser forgets a page so long after it was loaded
+const MOST_PAGES = 1000; // beyond, those that the browser was not asked for lately are forgotten
 const MOST = { prefetch: 40, prerender: 8 }; // rules at a time: Chromium takes no more than 50 and 10 pages
 const AT_ONCE = 2; // links being loaded; rules are queued by the browser itself
 const POLICY = "pointpred"; // of Trusted Types
@@ -15,8 +16,10 @@ let loading = 0;
 let policed; // whether the page has a Content Security Policy; undefined while nobody has asked
 let scripts; // what makes the texts of scripts under Trusted Types
 
-/** The page at an address, always the same object. @param {string} address @returns {Page} */
+/** The page at an address, the same object as long as the browser has it. @param {string} address @returns {Page} */
 export function pageOf(address) {
+  if (pages.size >= MOST_PAGES && !pages.has(address))
+    for (const [other, page] of pages) if (!isAsked(page)) pages.delete(other);
   if (!pages.has(address)) pages.set(address, { address, askedAt: -Infinity });
   return /** @type {Page} */ (pages.get(address));
 }

@@ -152,6 +152,7 @@ export class Tracker {
   #close() {
     this.#stop.abort();
     this.source.close();
+    this.shares.replace([]); // whoever still holds the tracker holds no elements
     this.#onIdle();
   }
 
