@@ -194,7 +194,8 @@ def test_what_the_mouse_heads_for_is_loaded(framework: str, tmp_path: Path, visi
 ASTRO = {
     "astro.config.mjs": """import { defineConfig } from "astro/config";
 import pointpred from "pointpred/astro";
-export default defineConfig({ prefetch: { prefetchAll: true }, integrations: [pointpred({ hitSlop: 4, again_s: Infinity })] });
+const integrations = [pointpred({ hitSlop: 4, again_s: Infinity })];
+export default defineConfig({ prefetch: { prefetchAll: true }, integrations });
 """,
     "src/pages/index.astro": """---
 import { ClientRouter } from "astro:transitions";
