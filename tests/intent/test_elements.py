@@ -102,3 +102,28 @@ def test_elements_that_nobody_holds_are_given_back(page: IntentPage) -> None:
         return int(page.value("references.filter((one) => one.deref()).length"))
 
     until(lambda: remaining() <= 1, "the elements to be collected")
+
+
+def test_nothing_is_held_after_the_last_stop(page: IntentPage) -> None:
+    page.make(
+        "const link = (id, left) => Object.assign(box(id, left, 500, 100, 60, 'a'), { href: `/${id}.html` });"
+        "const given = { predictor: 'minimum-jerk' };"
+        "window.stopAll = [prefetchLink([link('fired', 600), link('other', 300)], given),"
+        " onIntent(box('plain', 100, 300), () => 0, { ...given, again_s: 0.1 })];"
+    )
+    page.move((40, 40), (650, 530), 0.4)
+    page.away()
+    page.move((650, 530), (150, 330), 0.4)
+    assert page.value("ledger()")["fired"] >= 2
+    page.make(
+        "window.references = [fired, other, plain].map((one) => [one.id, new WeakRef(one)]);"
+        "for (const stop of stopAll) stop(); window.stopAll = null; document.body.replaceChildren()"
+    )
+    page.move((150, 330), (160, 340), 0.2)
+
+    def remaining() -> list[str]:
+        page.visitor.hand.call("HeapProfiler.collectGarbage")
+        kept: list[str] = page.value("references.filter(([, one]) => one.deref()).map(([id]) => id)")
+        return kept
+
+    until(lambda: remaining() == [], "the elements to be collected", 20.0)

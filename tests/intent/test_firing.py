@@ -42,6 +42,25 @@ def test_it_fires_once_unless_asked_for_more(page: IntentPage) -> None:
     assert sum(one.startswith("each") for one in said) >= 2
 
 
+def test_what_a_firing_began_ends_before_the_next(page: IntentPage) -> None:
+    page.make(
+        "window.order = []; window.given = [];"
+        "window.stopEach = onIntent(box('each', 500, 500), ({ signal }) => {"
+        " const number = given.push(signal); order.push(number); return () => order.push(-number);"
+        "}, { predictor: 'minimum-jerk', once: false })"
+    )
+    for _ in range(3):
+        page.move((40, 40), (550, 530), 0.3)
+        page.away()
+        page.move((550, 530), (40, 40), 0.3)
+        page.away()
+    page.value("stopEach()")
+    order = page.value("order")
+    assert order[:6] == [1, -1, 2, -2, 3, -3]
+    assert sum(order) == 0
+    assert page.value("given.every(({ aborted }) => aborted)") is True
+
+
 def test_it_fires_again_after_a_time(page: IntentPage) -> None:
     page.make(
         "watch(box('late', 500, 500), { again_s: 0.3 }); watch(box('later', 500, 400), { again_s: 60 })"
@@ -51,9 +70,11 @@ def test_it_fires_again_after_a_time(page: IntentPage) -> None:
         page.away()
         page.move((550, 530), (40, 40), 0.3)
         page.away()
-    said = [one.split()[0] for one in page.said()]
-    assert said.count("late") == 2
-    assert said.count("later") <= 1
+    said = page.said()
+    fired = [one.split()[0] for one in said if not one.endswith("ended")]
+    assert fired.count("late") == 2
+    assert said.count("late ended") == 1
+    assert fired.count("later") <= 1
 
 
 def test_slop_widens_the_element_on_each_side(page: IntentPage) -> None:

@@ -23,6 +23,42 @@ def test_the_gap_of_a_wrapped_link_is_not_entered(page: IntentPage) -> None:
     assert page.said() == ["wrapped entered"]
 
 
+def test_a_wrapped_link_is_predicted_though_another_lies_between_its_lines(page: IntentPage) -> None:
+    page.make(
+        "document.body.insertAdjacentHTML('beforeend', '<p style=\"position:absolute;left:100px;top:300px;"
+        'width:400px;font:20px/40px monospace;margin:0">xxxxxxxxxxxxxxxxxxxxxxxxxxx '
+        '<a id=wrapped href="/w.html">one two three</a>'
+        '<a href="/n.html" style="position:absolute;left:150px;top:0;width:150px;height:80px">next</a>'
+        "</p>');"
+        "watch(wrapped)"
+    )
+    box = page.value("wrapped.getBoundingClientRect().toJSON()")
+    middle = (box["left"] + box["width"] / 2, box["top"] + box["height"] / 2)
+    assert page.value(f"document.elementFromPoint({middle[0]}, {middle[1]}).textContent") == "next"
+    assert page.value("measured('wrapped').isCovered") is False
+    page.make("box('over', 0, 300, 500, 100, 'div')")
+    page.away()
+    assert page.value("measured('wrapped').isCovered") is True
+
+
+def test_an_area_is_not_covered_by_its_neighbour_in_the_map(page: IntentPage) -> None:
+    page.make(
+        "document.body.insertAdjacentHTML('beforeend', `<map name=sea>"
+        "<area id=ring href='/ring.html' shape=poly"
+        " coords='0,0,200,0,200,200,0,200,0,180,180,180,180,20,0,20'>"
+        "<area shape=rect coords='20,30,170,170' href='/inner.html'></map>"
+        "<img usemap=#sea width=200 height=200 style='position:absolute;left:600px;top:400px'"
+        " src=\"data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='200' height='200'/>\">`);"
+        "watch(ring)"
+    )
+    page.value("frames(10)")
+    assert page.value("document.elementFromPoint(700, 500) !== ring") is True
+    assert page.value("measured('ring').isCovered") is False
+    page.make("box('over', 600, 400, 200, 200, 'div')")
+    page.away()
+    assert page.value("measured('ring').isCovered") is True
+
+
 def test_the_corner_of_a_circle_is_not_entered_but_the_circle_is(page: IntentPage) -> None:
     page.make("box('circle', 400, 300, 200, 200).style.borderRadius = '50%'; watch(circle, { threshold: 1 })")
     page.move((700, 100), (595, 305), 0.4)

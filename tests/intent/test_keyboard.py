@@ -65,3 +65,20 @@ def test_the_mouse_moves_no_focus(page: IntentPage) -> None:
     page.visitor.click(150, 130)
     page.settle()
     assert page.said() == []
+
+
+def test_what_cannot_be_loaded_is_told_once_and_tried_again(page: IntentPage) -> None:
+    page.visitor.page.route("**/later.js", lambda route: route.abort())
+    page.value(
+        "{ window.told = []; for (const name of ['error', 'unhandledrejection'])"
+        " addEventListener(name, (event) => { told.push(event.type); event.preventDefault(); }) }"
+    )
+    page.make("for (const i of [0, 1, 2, 3, 4]) watch(box(`b${i}`, 60 + 180 * i, 560), { keyboard: 1 })")
+    for _ in range(2):
+        page.visitor.press("Tab")
+        page.value("frames(10)")
+    assert page.said() == ["b0 focus", "b1 focus"]
+    assert page.value("told") == ["error"]
+    page.visitor.page.unroute_all()
+    page.visitor.press("Tab")
+    page.wait("said().includes('b3 tab')")

@@ -57,8 +57,9 @@ def test_memory_is_bounded(page: IntentPage) -> None:
     page.make(
         "window.done = import('/pointpred/intent/registration.js').then(({ ledger: book }) => {"
         " for (let i = 0; i < 3000; i += 1) { const element = document.createElement('b');"
-        "  const one = { element, name: `n${i}`, options: { policy: 'prefetch' }, subject: () => element };"
-        "  book.fire(one, { element, name: one.name, policy: 'prefetch', reason: 'predicted', p: 1, t: i });"
+        "  const about = { element: new WeakRef(element), name: `n${i}`, policy: 'prefetch' };"
+        "  const one = { about, subject: () => element };"
+        "  book.fire(one, { reason: 'predicted', p: 1, t: i });"
         "  book.activate(one, i + i / 1000); } })"
     )
     page.value("done")

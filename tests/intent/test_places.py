@@ -126,6 +126,20 @@ def test_places_are_scrolled_with_the_page(page: IntentPage) -> None:
     page.value("followed.stop()")
 
 
+def test_a_scroll_ends_the_movement_so_that_places_are_where_they_are_now(page: IntentPage) -> None:
+    page.value("{ document.body.style.height = '3000px' }")
+    follow(page, "{ precision: 0.4 }")
+    back_and_forth(page, 8)
+    page.value("addEventListener('scroll', () => { heard.length = 0 })")
+    page.value("addEventListener('pointermove', ({ clientX }) => clientX > 400 && scrollTo(0, 100))")
+    page.move((150.0, 300.0), (750.0, 200.0), 0.5)
+    assert page.value("scrollY") == 100
+    found = page.value("heard.filter(({ began, x }) => began && x > 500).map(({ y }) => y)")
+    assert found
+    assert found == pytest.approx([200.0] * len(found), abs=15.0)
+    page.value("followed.stop()")
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [

@@ -124,3 +124,23 @@ def test_attributes_carry_the_state_where_asked_for(page: IntentPage) -> None:
     page.move((640, 330), (350, 330), 0.4)
     page.wait(f"{marks}.every((one) => one === null)")
     assert page.value("plain.hasAttribute('data-target')") is False
+
+
+def test_highlights_that_cannot_be_loaded_are_told_once_and_tried_again(page: IntentPage) -> None:
+    page.visitor.page.route("**/highlights.js", lambda route: route.abort())
+    page.value(
+        "{ window.told = []; for (const name of ['error', 'unhandledrejection'])"
+        " addEventListener(name, (event) => { told.push(event.type); event.preventDefault(); }) }"
+    )
+    page.make("watch(box('goal', 600, 500), { policy: 'highlight' })")
+    page.move((40, 40), (650, 530), 0.4)
+    page.move((650, 530), (40, 40), 0.4)
+    assert page.said() == []
+    assert page.value("told") == ["error"]
+    page.visitor.page.unroute_all()
+    for _ in range(2):
+        page.away()
+        page.move((40, 40), (650, 530), 0.4)
+        page.away()
+        page.move((650, 530), (40, 40), 0.4)
+    assert "goal ended" in page.said()

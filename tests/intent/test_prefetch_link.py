@@ -98,6 +98,25 @@ def test_what_a_pattern_or_a_function_ignores_is_left_out(page: IntentPage) -> N
     assert ["mine", True] in page.value("errors"), "what cannot be judged is left out, and no firing holds"
 
 
+def test_a_global_pattern_ignores_every_page(page: IntentPage) -> None:
+    page.make(
+        f"{LINK} link('a', 100, '/account/1'); link('b', 350, '/account/2'); link('c', 600, '/c.html');"
+        "prefetchLink('a', { predictor: 'minimum-jerk', ignore: [/account/g, /nothing/y] })"
+    )
+    assert cross(page, 150, 400, 650, 150, 400) == ["/c.html"]
+    assert page.visitor.complaints() == []
+
+
+def test_an_address_that_is_taken_back_loads_nothing(page: IntentPage) -> None:
+    page.make(
+        "box('card', 300, 500); let isGone = false;"
+        "prefetchLink('button', { predictor: 'minimum-jerk', href: () => (isGone ? null : '/card.html'),"
+        " enabled: () => (isGone = true) })"
+    )
+    assert cross(page, 350) == []
+    assert page.visitor.complaints() == []
+
+
 def test_no_more_pages_than_the_limit_are_loaded(page: IntentPage) -> None:
     page.make(
         f"{LINK} for (const i of [1, 2, 3]) link(`a${{i}}`, 250 * i, `/${{i}}.html`);"
@@ -178,6 +197,14 @@ def test_rules_make_room_so_that_every_page_is_asked_for(page: IntentPage) -> No
     assert page.value(f"{RULES}.length") == 40
 
 
+def test_pages_that_nobody_asked_for_are_not_remembered_for_good(page: IntentPage) -> None:
+    assert page.value("""import('/pointpred/intent/pages.js').then(({ pageOf }) => {
+      const [asked, other] = ['asked', 'other'].map(pageOf);
+      asked.askedAt = performance.now();
+      for (let i = 0; i < 1000; i += 1) pageOf(String(i));
+      return [pageOf('asked') === asked, pageOf('other') === other]; })""") == [True, False]
+
+
 def test_a_page_that_the_browser_has_forgotten_is_asked_for_again(page: IntentPage) -> None:
     page.make(
         f"{LINK} link('a', 600, '/next.html'); prefetchLink('a', {{ predictor: 'minimum-jerk', again_s: 1 }})"
@@ -212,3 +239,48 @@ def test_two_link_elements_load_at_a_time(page: IntentPage, host: str) -> None:
     again.value(f"{links}[0].dispatchEvent(new Event('load'))")
     assert again.value(f"{links}.length") == 3
     page.visitor.page.unroute_all()
+
+
+def test_a_load_that_tells_nothing_holds_no_place_for_good(page: IntentPage, host: str) -> None:
+    page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
+    page.visitor.page.route("**/slow*.html", lambda route: None)  # never answered
+    again = IntentPage(page.visitor, host)
+    again.make(
+        f"{LINK} for (const i of [1, 2, 3]) link(`a${{i}}`, 250 * i, `/slow${{i}}.html`);"
+        "window.timers = []; const { setTimeout: before } = window;"
+        "window.setTimeout = (call, ms) => (ms >= 1000 ? timers.push([call, ms]) : before(call, ms));"
+        "prefetchLink('a', { predictor: 'minimum-jerk' })"
+    )
+    cross(again, 300, 550, 800)
+    links = "[...document.querySelectorAll('link[rel=prefetch]')]"
+    again.value(f"{{ for (const one of {links}) one.remove(); }}")
+    again.value("{ for (const [call, ms] of timers.splice(0)) if (ms === 30000) call(); }")
+    assert again.value(f"{links}.map(({{ href }}) => href)") == [f"{host}/slow3.html"]
+    page.visitor.page.unroute_all()
+
+
+def test_links_that_are_spent_are_removed(page: IntentPage, host: str) -> None:
+    page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
+    again = IntentPage(page.visitor, host)
+    again.make(
+        f"{LINK} link('a', 300, '/1.html'); link('b', 600, '/2.html');"
+        "prefetchLink('a', { predictor: 'minimum-jerk' })"
+    )
+    cross(again, 350)
+    again.make("const now = performance.now(); performance.now = () => now + 301000")
+    cross(again, 650)
+    assert again.value("[...document.querySelectorAll('link[rel=prefetch]')].map(({ href }) => href)") == [
+        f"{host}/2.html"
+    ]
+
+
+def test_links_are_left_alone_where_nothing_can_be_loaded_ahead(page: IntentPage, host: str) -> None:
+    page.visitor.page.add_init_script(
+        "HTMLScriptElement.supports = () => false; DOMTokenList.prototype.supports = () => false"
+    )
+    again = IntentPage(page.visitor, host)
+    again.make(f"{LINK} link('a', 600, '/next.html'); window.stopAll = prefetchLink('a')")
+    assert again.value("trackers.size") == 0
+    again.move((40, 40), (650, 530), 0.4)
+    assert again.ledger()["fired"] == 0
+    again.value("stopAll()")

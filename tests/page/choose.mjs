@@ -2,6 +2,7 @@
 
 import { build } from "../../server/pointpred_server/web/lib/prediction/build.js";
 import { Chooser, PlaceChooser } from "../../server/pointpred_server/web/lib/prediction/chooser.js";
+import { Mixture } from "../../server/pointpred_server/web/lib/prediction/mixture.js";
 import { answer, attempt, given, numbers } from "./given.mjs";
 
 /** Where the account begins. */
@@ -28,6 +29,11 @@ const calls = {
   shares: () => Array.from(pipeline.shares),
   likeliest: (most) => pipeline.aim.likeliest(most),
   mixture: () => pipeline.mixture && { parts: pipeline.mixture.parts, offsets: pipeline.mixture.offsets },
+  outlines: (parts, level) =>
+    new Mixture(
+      parts.map((part) => Float64Array.from(part)),
+      [0, 0],
+    ).outlines(level),
   proposed: () => [chooser.standing, chooser.entered],
   person: () => pipeline.person,
   summary: () => Object.fromEntries(TOTALS.map((name, i) => [name, chooser.ledger.account[i]])),

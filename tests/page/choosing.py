@@ -10,6 +10,7 @@ import pytest
 
 from pointpred import build
 from pointpred.errors import PointpredError
+from pointpred.predictors.mixture import Mixture, Part
 from pointpred.targets import Choice, Chooser, PlaceChooser, Target
 from tests.page import node
 
@@ -54,6 +55,7 @@ def in_python(name: str, steps: Steps, settings: dict[str, float], targets: List
         "shares": lambda: [list(one) for one in pipeline.shares.items()],
         "likeliest": lambda most: [{"id": id, "p": p} for id, p in pipeline.aim.likeliest(most)],
         "mixture": lambda: json.loads(msgspec.json.encode(pipeline.mixture)),
+        "outlines": outlines,
         "proposed": lambda: [chooser.standing, chooser.entered],
         "summary": lambda: {name: chooser.ledger.summary()[name] for name in COUNTS},
     }
@@ -64,6 +66,12 @@ def in_python(name: str, steps: Steps, settings: dict[str, float], targets: List
         except PointpredError as error:
             answers.append({"error": error.code, "field": error.field})
     return answers
+
+
+def outlines(rows: list[list[float]], level: float) -> list[Any]:
+    """The outlines of the region of a mixture of these parts."""
+    parts = [Part(share, x, y, (sxx, sxy, syy), tail or None) for share, x, y, sxx, sxy, syy, tail in rows]
+    return [one.tolist() for one in Mixture(tuple(parts)).region(level).outlines]
 
 
 def shown(choice: Choice) -> dict[str, Any]:

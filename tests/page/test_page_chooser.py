@@ -47,6 +47,13 @@ def scene(*, buttons: bool = True) -> tuple[list[dict[str, Any]], list[list[Any]
     return [*targets(2), *ends], [["update", event] for event in table.tolist()], pressed.tolist()
 
 
+def test_the_region_of_many_parts_has_every_outline() -> None:
+    parts = [[0.005, 95.0 * (i % 20), 90.0 * (i // 20), 30.0, 0.0, 20.0, 0.0] for i in range(200)]
+    expected = compare("kinematic", [["outlines", parts, 0.8]], {})
+    assert len(expected[0]) == 200
+    assert sum(map(len, expected[0])) > 4000, "more than once had room"
+
+
 @pytest.mark.parametrize("predictor", ["kinematic", "switched", "ktm"])
 @pytest.mark.parametrize("settings", [{}, {"precision": 0.2, "least_lead_s": 0.1}])
 def test_it_proposes_what_python_proposes(predictor: str, settings: dict[str, float]) -> None:

@@ -37,8 +37,8 @@ export interface IntentOptions {
    */
   policy?: "prefetch" | "highlight";
   /**
-   * How likely it must be that the pointer goes to the element (prefetch: through it), in (0, 1); 0.5 by default. Higher fires later
-   * and less often. If an element has several registrations, the lowest counts. 1 is accepted, too: a prefetch then fires at entry only.
+   * How likely it must be that the pointer goes to the element (prefetch: through it), in (0, 1]; 0.5 by default. Higher fires later
+   * and less often; at 1 a prefetch fires at entry only. If an element has several registrations, the lowest counts.
    */
   threshold?: number;
   /** Whether it fires at all, asked each time it would; true by default. It stays registered meanwhile. */
@@ -98,11 +98,11 @@ export interface Firing {
   t: number;
   /** The predicted time until the pointer arrives, s; null where none is predicted. */
   remaining_s: number | null;
-  /** Is aborted when a highlight ends, and when the registration stops. */
+  /** Is aborted when a highlight ends, before the registration fires again, and when it stops. */
   signal: AbortSignal;
 }
 
-/** May return a function, or a promise of one, which is called when a highlight ends. */
+/** May return a function, or a promise of one, which is called when the signal of the firing is aborted. */
 export type IntentCallback = (firing: Firing) => unknown;
 
 /** What a directive or an action of a framework takes: a callback, or a callback with options. */
@@ -221,7 +221,9 @@ export interface LedgerSummary extends Counts {
   names: Record<string, Counts>;
 }
 
-export interface LedgerEntry extends Omit<Firing, "remaining_s" | "signal"> {
+export interface LedgerEntry extends Omit<Firing, "element" | "remaining_s" | "signal"> {
+  /** Null if it has gone meanwhile. */
+  element: Element | null;
   kind: "fired" | "hit" | "withheld" | "withdrawn";
   /** Of a hit. */
   lead_s: number | null;
@@ -309,7 +311,7 @@ export interface Pipeline {
    */
   register(targets: readonly Target[]): void;
   update(event: PointerSample): PredictionInPage | null;
-  /** The cursor is in this window from now on, with its origin at x and y, px. */
+  /** The next movement is in this window, with its origin at x and y, px; one that goes on stays where it began. */
   enter(key: string, x?: number, y?: number): void;
   /** Forgets the person. */
   forget(): void;

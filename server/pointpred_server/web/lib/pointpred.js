@@ -270,7 +270,7 @@ export class Connection {
 
   /**
    * The next movement is in this window or page: places are remembered for each name, relative to the origin, so that
-   * they move with it. Finishes the movement.
+   * they move with it. A movement that goes on stays in the window it began in; `reset` ends it.
    * @param {string} key "" is what it is without a name @param {number} [x] of the origin, px @param {number} [y]
    */
   enter(key, x = 0, y = 0) {

@@ -7,6 +7,12 @@ const COVERED_MS = 250; // how long an answer of the hit test is used
 const UNUSABLE = ":disabled, [inert], [inert] *";
 const SEEN = { visibilityProperty: true, opacityProperty: true, contentVisibilityAuto: true };
 
+/** The middle and the length of what is seen of a side, px. */
+const seen = (low, high, most) => {
+  const [from, to] = [Math.max(low, 0), Math.min(high, most)];
+  return [0.5 * (from + to), Math.max(to - from, 0)];
+};
+
 let entries = 0; // so far
 
 /** A registered element. */
@@ -28,6 +34,10 @@ export class Entry {
     this.shown = element;
     /** Its rectangle, px of the viewport. @type {() => DOMRectReadOnly} */
     this.box = () => element.getBoundingClientRect();
+    /** The rectangles of its lines. @type {() => Iterable<DOMRectReadOnly>} */
+    this.parts = () => element.getClientRects();
+    /** What does not lie over it: for an area the map. */
+    this.whole = element;
   }
 
   /** Takes the largest weight and slop of its registrations, and for each policy the lowest threshold. */
@@ -67,14 +77,20 @@ export class Entry {
     return this.element.matches(UNUSABLE) || getComputedStyle(this.shown).pointerEvents === "none";
   }
 
-  /** Whether something else, such as a dialog, lies over its middle. */
+  /** Whether something else, such as a dialog, lies over the middle of what is seen of it: of a wrapped link its largest part. */
   get isCovered() {
     if (performance.now() - this.#coveredAt < COVERED_MS) return this.#covered;
-    const { left, top, right, bottom } = this.box();
-    const middle = (low, high, most) => 0.5 * (Math.max(low, 0) + Math.min(high, most));
-    const hit = this.#hit(middle(left, right, innerWidth), middle(top, bottom, innerHeight));
+    let largest = 0;
+    /** @type {Element|null} */ let hit = null;
+    for (const { left, top, right, bottom } of this.parts()) {
+      const [x, across] = seen(left, right, innerWidth),
+        [y, down] = seen(top, bottom, innerHeight);
+      if (across * down <= largest) continue;
+      largest = across * down;
+      hit = this.#hit(x, y);
+    }
     this.#coveredAt = performance.now();
-    this.#covered = hit !== null && hit !== this.shown && !this.element.contains(hit) && !hit.contains(this.element);
+    this.#covered = hit !== null && hit !== this.shown && !this.whole.contains(hit) && !hit.contains(this.element);
     return this.#covered;
   }
 

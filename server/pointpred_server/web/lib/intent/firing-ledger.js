@@ -3,8 +3,9 @@
 /**
  * @typedef {import("./registration.js").Registration} Registration
  * @typedef {import("./tracker.js").Cause} Cause
- * @typedef {import("../index.d.ts").Firing} Firing
  * @typedef {import("../index.d.ts").LedgerEntry} LedgerEntry
+ * @typedef {{element: WeakRef<Element>} & Pick<LedgerEntry, "name"|"policy">} About what stays of a registration that has
+ *   stopped; an element is not held
  */
 
 const MOST_KEPT = 1000;
@@ -26,27 +27,28 @@ export function attempt(call, onError = reportError) {
 
 /** Tells of the firings of registered elements, and which of these were used. */
 export class FiringLedger {
+  /** Firings that are not used yet, by what they are for. @type {WeakMap<object, Map<About, Cause>>} */
   #open = new WeakMap();
   #listeners = new Set();
   #count = (entry) => this.#keep(entry);
   #kept = [];
 
-  /** @param {Registration} registration @param {Firing} firing */
-  fire(registration, firing) {
+  /** @param {Registration} registration @param {Cause} cause */
+  fire(registration, cause) {
     const subject = registration.subject();
-    this.#open.set(subject, (this.#open.get(subject) ?? new Map()).set(registration, firing));
-    this.#tell("fired", registration, firing);
+    this.#open.set(subject, (this.#open.get(subject) ?? new Map()).set(registration.about, cause));
+    this.#tell("fired", registration.about, cause);
   }
 
   /** A firing that is not made, to save data. @param {Registration} registration @param {Cause} cause */
   withhold(registration, cause) {
-    this.#tell("withheld", registration, cause);
+    this.#tell("withheld", registration.about, cause);
   }
 
-  /** A highlight has ended; whether the element was activated meanwhile is already told. @param {Registration} registration @param {Firing} firing @param {number} t s */
-  withdraw(registration, firing, t) {
-    this.#open.get(registration.subject())?.delete(registration);
-    this.#tell("withdrawn", registration, { ...firing, t });
+  /** A highlight has ended; whether the element was activated meanwhile is already told. @param {Registration} registration @param {Cause} cause @param {number} t s */
+  withdraw(registration, cause, t) {
+    this.#open.get(registration.subject())?.delete(registration.about);
+    this.#tell("withdrawn", registration.about, { ...cause, t });
   }
 
   /** The user activates the element of a registration, by a click or a key. @param {Registration} activated @param {number} t s */
@@ -54,8 +56,8 @@ export class FiringLedger {
     const subject = activated.subject(),
       open = this.#open.get(subject);
     this.#open.delete(subject);
-    for (const [registration, firing] of open ?? [])
-      this.#tell("hit", registration, { ...firing, t, lead_s: Math.max(0, t - firing.t) });
+    for (const [about, cause] of open ?? [])
+      this.#tell("hit", about, { ...cause, t, lead_s: Math.max(0, t - cause.t) });
   }
 
   /** Calls `listener` with each entry from now on. @param {(entry: LedgerEntry) => void} listener @returns {() => void} */
@@ -70,14 +72,15 @@ export class FiringLedger {
     this.#kept.splice(0).forEach(count);
   }
 
-  /** What nothing counts yet; elements are not held. */
+  /** What nothing counts yet. */
   #keep(entry) {
     if (this.#kept.push({ ...entry, element: null }) > MOST_KEPT) this.#kept.shift();
   }
 
-  /** @param {LedgerEntry["kind"]} kind @param {Registration} registration @param {Cause & {lead_s?: number|null}} cause */
-  #tell(kind, { element, name, options: { policy } }, { reason, p, score, threshold, t, lead_s = null }) {
-    const entry = { kind, element, name, policy, reason, p, score, threshold, t, lead_s };
+  /** @param {LedgerEntry["kind"]} kind @param {About} about @param {Cause & {lead_s?: number|null}} cause */
+  #tell(kind, about, { reason, p, score, threshold, t, lead_s = null }) {
+    const element = about.element.deref() ?? null,
+      entry = { kind, ...about, element, reason, p, score, threshold, t, lead_s };
     this.#count(entry);
     for (const listener of this.#listeners) attempt(() => listener(entry));
   }

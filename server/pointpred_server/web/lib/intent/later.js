@@ -152,6 +152,8 @@ export class Later {
     if (image === null || entry.registrations.size === 0) return;
     entry.shown = image;
     entry.box = () => boxOf(element, image);
+    entry.parts = () => [entry.box()];
+    entry.whole = /** @type {Element} */ (element.closest("map"));
     areas.set(image, (areas.get(image) ?? new Set()).add(entry));
     elements.unobserve(element);
     elements.observe(image);

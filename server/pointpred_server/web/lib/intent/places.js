@@ -120,6 +120,7 @@ class Places {
   #enter() {
     if (this.#pipeline === null) return;
     this.#withdraw();
+    this.#pipeline.reset(); // one that goes on would stay where the page was
     this.#pipeline.enter(this.#options.page, -window.scrollX, -window.scrollY);
   }
 

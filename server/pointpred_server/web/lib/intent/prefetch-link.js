@@ -2,7 +2,7 @@
 
 import { needDocument } from "../client/document.js";
 import { attempt } from "./firing-ledger.js";
-import { ask, isAsked, pageOf } from "./pages.js";
+import { ask, canAsk, isAsked, pageOf } from "./pages.js";
 import { listOf, named } from "./register.js";
 
 const WATCH_MS = 100; // so long after a change of the page its links are looked for again
@@ -40,8 +40,10 @@ function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonc
   };
   let left = limit;
   const load = ({ element }) => {
+    const page = pageFor(element);
+    if (page === null) return; // it was there a moment ago
     left -= 1;
-    ask(/** @type {import("./pages.js").Page} */ (pageFor(element)), action, nonce);
+    ask(page, action, nonce);
   };
   const isOn = (link) => {
     const page = pageFor(link);
@@ -52,6 +54,7 @@ function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonc
       if (!(href ? one instanceof Element : isLink(one)))
         throw new TypeError(`a link (<a href> or <area href>) is needed, received ${named(one)}`);
     onIntent([], load, options); // checks them
+    if (!canAsk(nonce)) return;
     for (const one of found)
       if (!registered.has(one) && pageFor(one) !== null)
         registered.set(
@@ -106,7 +109,7 @@ function watchLinks(selector, registered, add) {
 const isLink = (one) => one instanceof Element && (one.localName === "a" || one.localName === "area");
 
 /** The address of the page behind a link without its fragment; null if it shall not be loaded ahead. */
-function loadable(link, { href, ignores, origins }) {
+export function loadable(link, { href, ignores, origins }) {
   const given = href ? href(link) : (link.href?.baseVal ?? link.href);
   if (!given) return null;
   const url = new URL(given, document.baseURI);
@@ -119,6 +122,6 @@ function loadable(link, { href, ignores, origins }) {
     !link.hasAttribute("download") &&
     !link.closest("[data-no-prefetch]") &&
     !UNSAFE.test(url.pathname + url.search) &&
-    !ignores.some((one) => (one instanceof RegExp ? one.test(url.href) : one(link, url)));
+    !ignores.some((one) => (one instanceof RegExp ? url.href.search(one) >= 0 : one(link, url)));
   return isLoaded ? url.href : null;
 }

@@ -41,7 +41,7 @@ export class Registration {
     this.#callback = callback;
     this.options = options;
     this.subject = subject;
-    this.name = options.name || element.id;
+    this.about = { element: new WeakRef(element), name: options.name || element.id, policy: options.policy };
   }
 
   /** @param {"prefetch"|"highlight"} policy */
@@ -70,11 +70,12 @@ export class Registration {
     const { policy, saveData } = this.options;
     this.#withheld = policy === "prefetch" && saveData === "respect" && isReduced();
     if (this.#withheld) return ledger.withhold(this, cause);
+    this.#finish(); // what the firing before has begun
     const end = new AbortController();
     [this.#firedAt, this.#firedIn, this.#end, this.#cleanup] = [cause.t, visit, end, null];
-    this.firing = { element: this.element, name: this.name, policy, ...cause, signal: end.signal };
+    this.firing = { ...this.about, ...cause, element: this.element, signal: end.signal };
     this.#mark(cause.reason);
-    ledger.fire(this, this.firing);
+    ledger.fire(this, cause);
     const answer = attempt(() => this.#callback(this.firing), this.#fail);
     if (typeof answer?.then === "function")
       answer.then(

@@ -38,6 +38,7 @@ export class Tracker {
   /** @type {import("./later.js").Later|null} */ #later = null;
   /** @type {import("./highlights.js").Highlights|null} */ #highlights = null;
   /** @type {Promise<void>|null} */ #loading = null; // settles when highlights are loaded
+  #failed = false;
   #rows = [];
   #buttons = 0;
 
@@ -89,7 +90,7 @@ export class Tracker {
     this.#entries.set(element, entry);
     this.#count += 1;
     this.#changed = true;
-    if (registration.follows("highlight")) this.#loading ??= this.#loadHighlights();
+    if (registration.follows("highlight")) this.#loadHighlights();
     if (element.localName === "area" && entry.shown === element) this.#whenLater((later) => later.showArea(entry));
     this.elements.observe(entry.shown);
     if (registration.options.scroll === "view") this.#whenLater((later) => later.watchNear(entry.shown));
@@ -131,17 +132,32 @@ export class Tracker {
   }
 
   /** Calls `use` with what a page needs only once its user scrolls or presses Tab, or if it has a map of links. */
-  async #whenLater(use) {
-    const { Later } = await import("./later.js");
-    this.#later ??= new Later(this, contact, this.#stop.signal);
-    use(this.#later);
+  #whenLater(use) {
+    import("./later.js").then(({ Later }) => {
+      this.#later ??= new Later(this, contact, this.#stop.signal);
+      use(this.#later);
+    }, this.#fail);
   }
 
-  async #loadHighlights() {
-    const { Highlights } = await import("./highlights.js"),
-      { signal } = this.#stop;
-    if (!signal.aborted) this.#highlights = new Highlights(this, HIGHLIGHTING, signal);
+  /** Loads the highlights; after a failure the next call tries again. */
+  #loadHighlights() {
+    this.#loading ??= import("./highlights.js").then(
+      ({ Highlights }) => {
+        const { signal } = this.#stop;
+        if (!signal.aborted) this.#highlights = new Highlights(this, HIGHLIGHTING, signal);
+      },
+      (error) => {
+        this.#loading = null;
+        this.#fail(error);
+      },
+    );
   }
+
+  /** A part of the package cannot be loaded, such as without a network: told once. It is asked for again when it is next needed. */
+  #fail = (error) => {
+    if (!this.#failed) reportError(error);
+    this.#failed = true;
+  };
 
   /** Calls `use` with the highlights: if any are asked for, once they are loaded. */
   #highlight(use) {
@@ -152,6 +168,7 @@ export class Tracker {
   #close() {
     this.#stop.abort();
     this.source.close();
+    this.shares.replace([]); // whoever still holds the tracker holds no elements
     this.#onIdle();
   }
 
@@ -248,8 +265,10 @@ export class Tracker {
     if (
       isReachable(entry, reason) &&
       [...entry.registrations].some((one) => one.follows("highlight") && accepts(one.options, reason, choice))
-    )
+    ) {
+      this.#loadHighlights();
       this.#highlight((highlights) => highlights.begin(source, choice));
+    }
   }
 
   #end(source, entry, fields) {

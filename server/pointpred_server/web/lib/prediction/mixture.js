@@ -7,6 +7,7 @@ import {
   POLYGONS,
   points_of as pointsOf,
   threshold_of as thresholdOf,
+  VERTICES,
 } from "../laws/predictors/mixture.js";
 
 /** Numbers of a part: its share, centre px, scale matrix px^2, tail; 0: a normal law. */
@@ -16,7 +17,6 @@ export const PART = 7;
 export const partRows = (count) => Array.from({ length: count }, () => new Float64Array(PART));
 
 const [SHARE, TAIL] = [0, 6];
-const VERTICES = 4000; // of all outlines together, at most
 /** @type {{vertices: Float64Array[]|null, ends: Float64Array}} */
 const room = { vertices: null, ends: new Float64Array(POLYGONS) }; // for outlines, made when they are first asked for
 

@@ -181,7 +181,7 @@ class Panel {
     const item = document.createElement("li"),
       shown = [
         kind === "fired" ? reason : kind,
-        name || element.localName,
+        name || (element?.localName ?? ""),
         lead_s === null ? `${Math.round(100 * (score ?? p))} %` : `${lead_s.toFixed(2)} s`,
       ];
     item.dataset.kind = kind;

@@ -17,6 +17,7 @@ export const OUTSIDE = 1.0001;
 export const POINTS = 2000;
 export const POINTS_OF = 10000;
 export const POINTS_LEAST = 30;
+export const VERTICES = 20000;
 export const POLYGONS = 256;
 export function squared_radius(share, tail) {
   const normal = -2 * Math.log1p(-share);
