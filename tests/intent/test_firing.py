@@ -284,3 +284,24 @@ def test_one_time_in_the_future_is_forgotten_at_once(page: IntentPage) -> None:
     page.away()
     page.move((40, 40), (550, 530), 0.4)
     assert page.said() == ["goal predicted"]
+
+
+def test_what_the_signal_of_a_firing_ended_is_no_error(page: IntentPage) -> None:
+    page.visitor.page.route("**/slow", lambda route: None)  # never answered
+    page.make(
+        "window.errors = []; for (const kind of ['error', 'unhandledrejection']) addEventListener(kind, (event) => {"
+        " errors.push(String(event.message ?? event.reason)); event.preventDefault(); });"
+        "window.failed = []; const given = { predictor: 'minimum-jerk', policy: 'highlight' };"
+        "box('goal', 600, 500); onIntent(goal, ({ signal }) => fetch('/slow', { signal }), given);"
+        "onIntent(goal, ({ signal }) => fetch('/slow', { signal }), { ...given, onError: (error) => failed.push(error) });"
+        "onIntent(goal, ({ signal }) => new Promise((_, reject) => signal.addEventListener('abort',"
+        " () => reject(new Error('mine')))), given)"
+    )
+    page.move((40, 40), (650, 530))
+    page.away()
+    page.move((650, 530), (40, 40))
+    page.away()
+    page.visitor.page.unroute_all()
+    assert page.ledger()["withdrawn"] >= 3
+    assert set(page.value("errors")) == {"Uncaught Error: mine"}
+    assert page.value("failed") == []

@@ -1,6 +1,7 @@
 // Hooks and a component for React.
 
 import { createElement, forwardRef, useCallback, useEffect, useImperativeHandle, useRef, useState } from "react";
+import { isAbort } from "../intent/firing-ledger.js";
 import { Registered } from "./registered.js";
 
 const BEFORE = { predicted: false, fired: false, p: 0, error: null };
@@ -30,7 +31,7 @@ export function useIntentState(callback, options) {
   const [state, setState] = useState(BEFORE);
   const change = (part) => setState((now) => ({ ...now, ...part }));
   const ref = useIntent((firing) => {
-    const fail = (error) => change({ error });
+    const fail = (error) => isAbort(error, firing.signal) || change({ error });
     setState({ predicted: true, fired: true, p: firing.p, error: null });
     firing.signal.addEventListener("abort", () => change({ predicted: false }));
     try {

@@ -25,6 +25,9 @@ export function attempt(call, onError = reportError) {
   }
 }
 
+/** Whether an error only says that a firing is over: what its signal ended was rejected. @param {any} error @param {AbortSignal} signal */
+export const isAbort = (error, signal) => signal.aborted && error?.name === "AbortError";
+
 /** Tells of the firings of registered elements, and which of these were used. */
 export class FiringLedger {
   /** Firings that are not used yet, by what they are for. @type {WeakMap<object, Map<About, Cause>>} */

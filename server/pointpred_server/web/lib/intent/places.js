@@ -4,7 +4,7 @@ import { needDocument } from "../client/document.js";
 import { PointerStream } from "../client/pointer-stream.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { claimed, isRefused, REMAINING_S } from "../prediction/row.js";
-import { attempt } from "./firing-ledger.js";
+import { attempt, isAbort } from "./firing-ledger.js";
 
 /** @typedef {import("../prediction/chooser.js").PlaceChooser} Chooser */
 
@@ -166,7 +166,10 @@ class Places {
       remaining_s: reason === "predicted" ? claimed(answer[REMAINING_S]) : null,
       signal: end.signal,
     };
-    const cleanup = attempt(() => this.#callback(firing));
+    const cleanup = attempt(
+      () => this.#callback(firing),
+      (error) => isAbort(error, end.signal) || reportError(error),
+    );
     this.#firings.set(id, { end, cleanup: typeof cleanup === "function" ? cleanup : null });
   }
 

@@ -1,6 +1,6 @@
 // One registration of an element: whether it may fire now, and what it has begun by firing.
 
-import { attempt, FiringLedger } from "./firing-ledger.js";
+import { attempt, FiringLedger, isAbort } from "./firing-ledger.js";
 
 const MARKS = ["data-target", "data-predicted"]; // attributes for style sheets
 const SLOW = ["slow-2g", "2g"]; // connections too slow to load anything ahead
@@ -76,7 +76,10 @@ export class Registration {
     this.firing = { element: this.element, name: this.about.name, policy, ...cause, signal: end.signal };
     this.#mark(cause.reason);
     ledger.fire(this, cause);
-    const answer = attempt(() => this.#callback(this.firing), this.#fail);
+    const answer = attempt(
+      () => this.#callback(this.firing),
+      (error) => isAbort(error, end.signal) || this.#fail(error),
+    );
     if (typeof answer?.then === "function")
       answer.then(
         (late) => this.#take(late, end),
