@@ -239,3 +239,61 @@ def test_two_link_elements_load_at_a_time(page: IntentPage, host: str) -> None:
     again.value(f"{links}[0].dispatchEvent(new Event('load'))")
     assert again.value(f"{links}.length") == 3
     page.visitor.page.unroute_all()
+
+
+CHANGING = (
+    "/cart/?remove_item=abc123&_wpnonce=1",
+    "/wp-admin/post.php?post=3&action=trash",
+    "/cart/add/3",
+    "/cart?add=3",
+    "/cart/?add-to-cart=3",
+    "/addtocart?id=3",
+    "/remove_from_cart/3",
+    "/cart/change?line=1&quantity=0",
+    "/page?action=rollback",
+    "/delete_item",
+    "/items/3/delete",
+    "/exit",
+    "/end-session",
+    "/log/out",
+    "/user_logout",
+    "/index.php?route=account/logout",
+)
+KEPT = (
+    "/page?next=/logout",
+    "/page?next=https%3A%2F%2Fa.example%2Flogout",
+    "/knowledge/how-to-log-out",
+    "/docs/delete-a-branch.html",
+    "/blog/removed.html",
+    "/blog/exits.html",
+    "/cart/address",
+    "/cart",
+    "/docs/adding-carts",
+)
+
+
+def judged(page: IntentPage, *links: str) -> list[str]:
+    """Of links in HTML, the addresses that are registered, so that they can be loaded."""
+    page.make(
+        "window.add = (html) => document.body.insertAdjacentHTML('beforeend', html);"
+        "window.taken = []; const seen = [];"
+        f"for (const html of {list(links)!r}) add(html);"
+        "prefetchLink('a', { ignore: (link) => { taken.push(link.getAttribute('href')); return false; } })"
+    )
+    taken: list[str] = page.value("[...new Set(taken)]")
+    return taken
+
+
+def test_addresses_that_change_something_are_left_out(page: IntentPage) -> None:
+    links = [f"<a href='{address}'>a</a>" for address in CHANGING + KEPT]
+    assert judged(page, *links) == list(KEPT)
+
+
+def test_links_that_ask_otherwise_than_by_a_plain_get_are_left_out(page: IntentPage, host: str) -> None:
+    assert judged(
+        page,
+        "<a href='/a' data-method=delete>a</a>",
+        "<a href='/b' data-turbo-method=post>a</a>",
+        f"<a href='{host.replace('http://', 'http://user:pw@')}/c'>a</a>",
+        "<a href='/d' data-turbo-method=get>a</a>",
+    ) == ["/d"]

@@ -7,9 +7,15 @@ import { listOf, named } from "./register.js";
 
 const WATCH_MS = 100; // so long after a change of the page its links are looked for again
 
-/** Addresses that end a session or change something, although a GET should do neither. */
+/** A part of an address that ends a session or changes something, although a GET should do neither: alone, or with one more word. */
 const UNSAFE =
-  /(?:^|[^a-z])(?:log|sign)[-_]?(?:out|off)|[/=?&](?:unsubscribe|delete|remove|add[-_]to[-_]cart)(?=[/?&=.]|$)/i;
+  /(?<![\w-])(?:[a-z\d]+[-_])?(?:(?:log|sign)[-_/]?(?:out|off)|end[-_]?session|exit|delete|remove|rollback|trash|unsubscribe)(?:[-_][a-z\d]+)?(?![\w-])/i;
+/** What changes a cart. */
+const CART = /cart|basket|wishlist/i;
+const CHANGES =
+  /(?<![a-z])(?:add|change|clear|delete|empty|remove|trash|update)(?:to|from)?(?:[^a-z]|$|(?=cart|basket|wishlist))/i;
+const IS_ADDRESS = /^\/|:\/\//; // such as next=/logout
+const NO_GET = ["data-method", "data-turbo-method"]; // what some frameworks ask with instead
 
 /** @typedef {ReturnType<typeof import("./register.js").onIntentWith>} OnIntent */
 
@@ -105,6 +111,12 @@ function watchLinks(selector, registered, add) {
   };
 }
 
+/** Whether a GET may end a session or change something, by the words of its path and of the keys and values of its query. @param {URL} url */
+function isUnsafe({ pathname, searchParams }) {
+  const words = [pathname, ...[...searchParams].flat().filter((one) => !IS_ADDRESS.test(one))].join("/");
+  return UNSAFE.test(words) || (CART.test(words) && CHANGES.test(words));
+}
+
 const isLink = (one) => one instanceof Element && (one.localName === "a" || one.localName === "area");
 
 /** The address of the page behind a link without its fragment; null if it shall not be loaded ahead. */
@@ -120,7 +132,9 @@ function loadable(link, { href, ignores, origins }) {
     ["", "_self"].includes(link.getAttribute("target") ?? "") &&
     !link.hasAttribute("download") &&
     !link.closest("[data-no-prefetch]") &&
-    !UNSAFE.test(url.pathname + url.search) &&
+    !(url.username || url.password) &&
+    NO_GET.every((name) => /^(get)?$/i.test(link.getAttribute(name) ?? "")) &&
+    !isUnsafe(url) &&
     !ignores.some((one) => (one instanceof RegExp ? url.href.search(one) >= 0 : one(link, url)));
   return isLoaded ? url.href : null;
 }
