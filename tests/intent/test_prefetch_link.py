@@ -188,7 +188,7 @@ def test_rules_make_room_so_that_every_page_is_asked_for(page: IntentPage) -> No
     page.make(
         "for (let i = 0; i < 60; i += 1)"
         " box(`q${i}`, 10 + 95 * (i % 10), 200 + 60 * Math.floor(i / 10), 60, 40, 'a').href = `/n${i}.html`;"
-        "prefetchLink('a', { predictor: 'minimum-jerk' })"
+        "prefetchLink('a', { predictor: 'minimum-jerk', dwell_s: 0 })"
     )
     for row in range(6):
         page.move((0, 220 + 60 * row), (990, 220 + 60 * row), 1.2)
@@ -297,3 +297,15 @@ def test_links_that_ask_otherwise_than_by_a_plain_get_are_left_out(page: IntentP
         f"<a href='{host.replace('http://', 'http://user:pw@')}/c'>a</a>",
         "<a href='/d' data-turbo-method=get>a</a>",
     ) == ["/d"]
+
+
+def test_a_link_that_is_crossed_is_not_loaded(page: IntentPage) -> None:
+    page.make(
+        f"{LINK} link('a', 600, '/next.html'); prefetchLink('a', {{ predictor: 'minimum-jerk', threshold: 1 }})"
+    )
+    page.move((650, 40), (650, 690), 0.3)
+    assert page.value(RULES) == []
+    page.away()
+    page.move((650, 690), (650, 530), 0.3)
+    page.away()
+    assert len(page.value(RULES)) == 1, "where the pointer stays"

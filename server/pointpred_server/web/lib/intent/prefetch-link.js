@@ -5,6 +5,7 @@ import { attempt } from "./firing-ledger.js";
 import { ask, isAsked, pageOf } from "./pages.js";
 import { listOf, named } from "./register.js";
 
+const DWELL_S = 0.065; // what the pointer only crosses is not loaded
 const WATCH_MS = 100; // so long after a change of the page its links are looked for again
 
 /** A part of an address that ends a session or changes something, although a GET should do neither: alone, or with one more word. */
@@ -34,7 +35,8 @@ export const prefetchLinkWith = (onIntent) => (links, options) => prefetch(onInt
 /** @param {OnIntent} onIntent @param {Element|Iterable<Element>|string} links @param {import("../index.d.ts").PrefetchLinkOptions} [options] */
 function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonce, watch = false, ...given } = {}) {
   needDocument("prefetchLink");
-  const { href, ignore = [], origins = [], ...options } = given;
+  const { href, ignore = [], origins = [], dwell_s = DWELL_S, ...others } = given,
+    options = { ...others, dwell_s };
   const rules = { href, ignores: [ignore].flat(), origins: [origins].flat() };
   check(links, { action, limit, watch, ...rules });
   const { enabled = true, onError } = options;
