@@ -305,3 +305,17 @@ def test_what_the_signal_of_a_firing_ended_is_no_error(page: IntentPage) -> None
     assert page.ledger()["withdrawn"] >= 3
     assert set(page.value("errors")) == {"Uncaught Error: mine"}
     assert page.value("failed") == []
+
+
+def test_an_element_without_weight_never_fires(page: IntentPage) -> None:
+    page.make(
+        "watch(box('never', 600, 500), { priority: 0 });"
+        "watch(box('dark', 300, 500), { priority: 0, policy: 'highlight' })"
+    )
+    page.move((40, 40), (650, 530))
+    page.away()
+    page.move((650, 530), (350, 530))
+    page.value("never.focus()")
+    page.visitor.page.keyboard.press("Tab")
+    page.away()
+    assert page.said() == []

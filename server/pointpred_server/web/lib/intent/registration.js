@@ -46,7 +46,7 @@ export class Registration {
 
   /** @param {"prefetch"|"highlight"} policy */
   follows(policy) {
-    return this.#callback !== null && this.options.policy === policy;
+    return this.#callback !== null && this.options.priority > 0 && this.options.policy === policy;
   }
 
   /**
