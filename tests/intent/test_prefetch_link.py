@@ -309,3 +309,12 @@ def test_a_link_that_is_crossed_is_not_loaded(page: IntentPage) -> None:
     page.move((650, 690), (650, 530), 0.3)
     page.away()
     assert len(page.value(RULES)) == 1, "where the pointer stays"
+
+
+def test_an_address_that_is_none_is_left_out(page: IntentPage) -> None:
+    page.make(
+        f"{LINK} link('bad', 300, 'http://'); link('good', 600, '/good.html');"
+        "prefetchLink('a', { predictor: 'minimum-jerk', watch: true })"
+    )
+    assert cross(page, 350, 650) == ["/good.html"]
+    assert page.visitor.complaints() == []

@@ -119,13 +119,23 @@ function isUnsafe({ pathname, searchParams }) {
   return UNSAFE.test(words) || (CART.test(words) && CHANGES.test(words));
 }
 
+/** An address, null if it is none. @param {string|URL} address @param {string} [base] */
+function parsed(address, base) {
+  try {
+    return new URL(address, base);
+  } catch {
+    return null;
+  }
+}
+
 const isLink = (one) => one instanceof Element && (one.localName === "a" || one.localName === "area");
 
 /** The address of the page behind a link without its fragment; null if it shall not be loaded ahead. */
 function loadable(link, { href, ignores, origins }) {
   const given = href ? href(link) : (link.href?.baseVal ?? link.href);
   if (!given) return null;
-  const url = new URL(given, document.baseURI);
+  const url = parsed(given, document.baseURI);
+  if (url === null) return null;
   url.hash = "";
   const isLoaded =
     /^https?:$/.test(url.protocol) &&
