@@ -319,3 +319,19 @@ def test_an_element_without_weight_never_fires(page: IntentPage) -> None:
     page.visitor.page.keyboard.press("Tab")
     page.away()
     assert page.said() == []
+
+
+def test_where_parts_of_the_browser_are_missing_nothing_is_registered(page: IntentPage, host: str) -> None:
+    """As in the documents of jsdom, which tests of components run in."""
+    missing = "for (const one of ['IntersectionObserver', 'matchMedia', 'reportError']) delete window[one];"
+    page.make(
+        f"{missing} box('a', 600, 500); box('b', 300, 500, 100, 60, 'a').href = 'http://';"
+        "window.stopAll = onIntent(a, () => {}); window.stopLinks = prefetchLink('a', { watch: true });"
+        "window.handle = register(a)"
+    )
+    assert page.value("[trackers.size, handle.share, handle.element.id]") == [0, 0, "a"]
+    page.value("handle.ready")
+    page.value("[stopAll(), stopLinks(), handle.stop()].length")
+    assert page.visitor.complaints() == []
+    with pytest.raises(SourceError, match="unknown option"):
+        page.value("onIntent(a, () => {}, { treshold: 1 })")

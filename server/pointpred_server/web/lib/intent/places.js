@@ -4,6 +4,7 @@ import { needDocument } from "../client/document.js";
 import { PointerStream } from "../client/pointer-stream.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { claimed, isRefused, REMAINING_S } from "../prediction/row.js";
+import { canFollow } from "./register.js";
 import { attempt, isAbort } from "./firing-ledger.js";
 
 /** @typedef {import("../prediction/chooser.js").PlaceChooser} Chooser */
@@ -22,6 +23,7 @@ export const onPlaceWith = (build) =>
   function onPlace(callback, options) {
     needDocument("onPlace");
     if (typeof callback !== "function") throw new TypeError(`onPlace needs a function to call, received ${callback}`);
+    if (!canFollow()) return { ready: Promise.resolve(), person: "", forget() {}, stop() {} };
     return new Places(build, callback, optionsOf(options));
   };
 

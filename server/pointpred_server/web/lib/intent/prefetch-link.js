@@ -3,7 +3,7 @@
 import { needDocument } from "../client/document.js";
 import { attempt } from "./firing-ledger.js";
 import { ask, isAsked, pageOf } from "./pages.js";
-import { listOf, named } from "./register.js";
+import { canFollow, listOf, named } from "./register.js";
 
 const DWELL_S = 0.065; // what the pointer only crosses is not loaded
 const WATCH_MS = 100; // so long after a change of the page its links are looked for again
@@ -62,6 +62,7 @@ function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonc
       if (!(href ? one instanceof Element : isLink(one)))
         throw new TypeError(`a link (<a href> or <area href>) is needed, received ${named(one)}`);
     onIntent([], load, options); // checks them
+    if (!canFollow()) return;
     for (const one of found)
       if (!registered.has(one) && pageFor(one) !== null)
         registered.set(
@@ -70,7 +71,7 @@ function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonc
         );
   };
   add(typeof links === "string" ? [...document.querySelectorAll(links)] : listOf(links));
-  const unwatch = watch ? watchLinks(links, registered, add) : () => {};
+  const unwatch = watch && canFollow() ? watchLinks(links, registered, add) : () => {};
   return () => {
     unwatch();
     for (const stop of registered.values()) stop();

@@ -39,6 +39,8 @@ const DEFAULTS = {
   attributes: false,
   onError: undefined,
 };
+/** What is asked of the browser; documents of jsdom, which tests of components run in, have none of these. */
+const NEEDED = ["IntersectionObserver", "matchMedia", "reportError"];
 const NO_SLOP = { top: 0, right: 0, bottom: 0, left: 0 };
 
 /** The trackers in use, by their predictor and service. @type {Map<string, Tracker>} */
@@ -88,11 +90,15 @@ export const listOf = (given) =>
 /** What an error calls an element. */
 export const named = (one) => (one?.localName ? `<${one.localName}${one.id ? ` id="${one.id}"` : ""}>` : String(one));
 
+/** Whether elements can be followed here. */
+export const canFollow = () => NEEDED.every((name) => name in globalThis);
+
 /** Registers elements, all or none. */
 function begin(offer, elements, callback, given, subjectOf) {
   const options = optionsOf(offer, given);
   elements.forEach(check);
   if (elements.length === 0) return [];
+  if (!canFollow()) return elements.map((element) => ({ element, share: 0, ready: Promise.resolve(), stop() {} }));
   const tracker = trackerOf(offer.of(options));
   return elements.map((element) => {
     const registration = new Registration(element, callback, options, subjectOf && (() => subjectOf(element)));
