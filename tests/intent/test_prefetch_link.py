@@ -145,7 +145,7 @@ def test_links_in_pictures_and_maps_count(page: IntentPage) -> None:
         " src=\"data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='200' height='60'/>\">`);"
         "addEventListener('click', (event) => event.preventDefault());"
         "window.stopAll = prefetchLink(document.querySelectorAll('a, area'), {"
-        " predictor: 'minimum-jerk', threshold: 1 })"
+        " predictor: 'minimum-jerk', threshold: 1, dwell_s: 0 })"
     )
     page.value("frames(10)")
     assert cross(page, 150, 630) == ["/drawn.html", "/west.html"]
@@ -213,32 +213,6 @@ def test_a_page_that_the_browser_has_forgotten_is_asked_for_again(page: IntentPa
     page.make("const now = performance.now(); performance.now = () => now + 301000")
     assert cross(page, 650) == ["/next.html"]
     assert page.ledger()["fired"] == 2
-
-
-def test_without_speculation_rules_a_link_element_asks(page: IntentPage, host: str) -> None:
-    page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
-    again = IntentPage(page.visitor, host)
-    again.make(f"{LINK} link('a', 600, '/next.html'); prefetchLink('a', {{ predictor: 'minimum-jerk' }})")
-    again.move((40, 40), (650, 530), 0.4)
-    assert again.value("[...document.querySelectorAll('link[rel=prefetch]')].map(({ href }) => href)") == [
-        f"{host}/next.html"
-    ]
-
-
-def test_two_link_elements_load_at_a_time(page: IntentPage, host: str) -> None:
-    page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
-    page.visitor.page.route("**/slow*.html", lambda route: None)  # never answered
-    again = IntentPage(page.visitor, host)
-    again.make(
-        f"{LINK} for (const i of [1, 2, 3]) link(`a${{i}}`, 250 * i, `/slow${{i}}.html`);"
-        "prefetchLink('a', { predictor: 'minimum-jerk' })"
-    )
-    cross(again, 300, 550, 800)
-    links = "[...document.querySelectorAll('link[rel=prefetch]')]"
-    assert again.value(f"{links}.length") == 2
-    again.value(f"{links}[0].dispatchEvent(new Event('load'))")
-    assert again.value(f"{links}.length") == 3
-    page.visitor.page.unroute_all()
 
 
 CHANGING = (
@@ -318,3 +292,74 @@ def test_an_address_that_is_none_is_left_out(page: IntentPage) -> None:
     )
     assert cross(page, 350, 650) == ["/good.html"]
     assert page.visitor.complaints() == []
+
+
+def test_without_speculation_rules_a_link_element_asks(page: IntentPage, host: str) -> None:
+    page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
+    again = IntentPage(page.visitor, host)
+    again.make(f"{LINK} link('a', 600, '/next.html'); prefetchLink('a', {{ predictor: 'minimum-jerk' }})")
+    again.move((40, 40), (650, 530), 0.4)
+    assert again.value("[...document.querySelectorAll('link[rel=prefetch]')].map(({ href }) => href)") == [
+        f"{host}/next.html"
+    ]
+
+
+def test_two_link_elements_load_at_a_time(page: IntentPage, host: str) -> None:
+    page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
+    page.visitor.page.route("**/slow*.html", lambda route: None)  # never answered
+    again = IntentPage(page.visitor, host)
+    again.make(
+        f"{LINK} for (const i of [1, 2, 3]) link(`a${{i}}`, 250 * i, `/slow${{i}}.html`);"
+        "prefetchLink('a', { predictor: 'minimum-jerk' })"
+    )
+    cross(again, 300, 550, 800)
+    links = "[...document.querySelectorAll('link[rel=prefetch]')]"
+    assert again.value(f"{links}.length") == 2
+    again.value(f"{links}[0].dispatchEvent(new Event('load'))")
+    assert again.value(f"{links}.length") == 3
+    page.visitor.page.unroute_all()
+
+
+def test_a_load_that_tells_nothing_holds_no_place_for_good(page: IntentPage, host: str) -> None:
+    page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
+    page.visitor.page.route("**/slow*.html", lambda route: None)  # never answered
+    again = IntentPage(page.visitor, host)
+    again.make(
+        f"{LINK} for (const i of [1, 2, 3]) link(`a${{i}}`, 250 * i, `/slow${{i}}.html`);"
+        "window.timers = []; const { setTimeout: before } = window;"
+        "window.setTimeout = (call, ms) => (ms >= 1000 ? timers.push([call, ms]) : before(call, ms));"
+        "prefetchLink('a', { predictor: 'minimum-jerk' })"
+    )
+    cross(again, 300, 550, 800)
+    links = "[...document.querySelectorAll('link[rel=prefetch]')]"
+    again.value(f"{{ for (const one of {links}) one.remove(); }}")
+    again.value("{ for (const [call, ms] of timers.splice(0)) if (ms === 30000) call(); }")
+    assert again.value(f"{links}.map(({{ href }}) => href)") == [f"{host}/slow3.html"]
+    page.visitor.page.unroute_all()
+
+
+def test_links_that_are_spent_are_removed(page: IntentPage, host: str) -> None:
+    page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
+    again = IntentPage(page.visitor, host)
+    again.make(
+        f"{LINK} link('a', 300, '/1.html'); link('b', 600, '/2.html');"
+        "prefetchLink('a', { predictor: 'minimum-jerk' })"
+    )
+    cross(again, 350)
+    again.make("const now = performance.now(); performance.now = () => now + 301000")
+    cross(again, 650)
+    assert again.value("[...document.querySelectorAll('link[rel=prefetch]')].map(({ href }) => href)") == [
+        f"{host}/2.html"
+    ]
+
+
+def test_links_are_left_alone_where_nothing_can_be_loaded_ahead(page: IntentPage, host: str) -> None:
+    page.visitor.page.add_init_script(
+        "HTMLScriptElement.supports = () => false; DOMTokenList.prototype.supports = () => false"
+    )
+    again = IntentPage(page.visitor, host)
+    again.make(f"{LINK} link('a', 600, '/next.html'); window.stopAll = prefetchLink('a')")
+    assert again.value("trackers.size") == 0
+    again.move((40, 40), (650, 530), 0.4)
+    assert again.ledger()["fired"] == 0
+    again.value("stopAll()")

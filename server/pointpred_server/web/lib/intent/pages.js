@@ -2,16 +2,18 @@
 
 const FRESH_MS = 300000; // the browser forgets a page so long after it was loaded
 const MOST_PAGES = 1000; // beyond, those that the browser was not asked for lately are forgotten
-const MOST = { prefetch: 40, prerender: 8 }; // rules at a time: Chromium takes no more than 50 and 10 pages
+const MOST = { prefetch: 40, prerender: 8, link: 40 }; // at a time: Chromium takes rules for no more than 50 and 10 pages
 const AT_ONCE = 2; // links being loaded; rules are queued by the browser itself
+const LOST_MS = 30000; // after so long a link that tells nothing counts as loaded: the page may have removed it
 const POLICY = "pointpred"; // of Trusted Types
 
 /** @typedef {{address: string, askedAt: number}} Page */
 
 /** @type {Map<string, Page>} */
 const pages = new Map();
-const rules = { prefetch: [], prerender: [] };
-const waiting = []; // addresses
+const added = { prefetch: [], prerender: [], link: [] }; // to the head: what asks for which page
+/** @type {Page[]} */
+const waiting = [];
 let loading = 0;
 let policed; // whether the page has a Content Security Policy; undefined while nobody has asked
 let scripts; // what makes the texts of scripts under Trusted Types
@@ -33,12 +35,15 @@ export const isAsked = ({ askedAt }) => performance.now() - askedAt < FRESH_MS;
  */
 export function ask(page, action, nonce) {
   if (takesRules(nonce)) addRule(page, action, nonce);
-  else if (document.createElement("link").relList.supports("prefetch")) {
-    waiting.push(page.address);
+  else {
+    waiting.push(page);
     loadNext();
   }
   page.askedAt = performance.now();
 }
+
+/** Whether the browser can be asked at all. @param {string|undefined} nonce */
+export const canAsk = (nonce) => document.createElement("link").relList.supports("prefetch") || takesRules(nonce);
 
 /** Whether rules may be added; to try would be reported as a violation where they are refused. */
 function takesRules(nonce) {
@@ -64,29 +69,39 @@ function hasPolicy() {
   return policed;
 }
 
-/** A rule that is spent makes room: pages of rules that stay count towards the browser's limit. */
+/** Adds an element to the head. One that is spent makes room: pages of rules that stay count towards the browser's limit. */
+function add(kind, page, element) {
+  const old = added[kind];
+  while (old.length >= MOST[kind] || (old.length && !isAsked(old[0].page))) old.shift().element.remove();
+  document.head.append(element);
+  old.push({ page, element });
+}
+
 function addRule(page, action, nonce) {
-  const old = rules[action];
-  while (old.length >= MOST[action] || (old.length && !isAsked(old[0].page))) old.shift().script.remove();
   const script = document.createElement("script"),
     list = [{ source: "list", urls: [page.address], eagerness: "immediate" }],
     text = JSON.stringify({ [action]: list });
   script.type = "speculationrules";
   if (nonce) script.nonce = nonce;
   script.text = scripts ? scripts.createScript(text) : text;
-  document.head.append(script);
-  old.push({ page, script });
+  add(action, page, script);
 }
 
 function loadNext() {
   if (loading >= AT_ONCE || waiting.length === 0) return;
-  loading += 1;
-  const link = document.createElement("link");
-  link.rel = "prefetch";
-  link.href = waiting.shift();
-  link.onload = link.onerror = () => {
+  const page = /** @type {Page} */ (waiting.shift()),
+    link = document.createElement("link");
+  let timer = 0;
+  const end = () => {
+    clearTimeout(timer);
+    link.onload = link.onerror = null;
     loading -= 1;
     loadNext();
   };
-  document.head.append(link);
+  loading += 1;
+  link.rel = "prefetch";
+  link.href = page.address;
+  link.onload = link.onerror = end;
+  timer = setTimeout(end, LOST_MS);
+  add("link", page, link);
 }

@@ -2,7 +2,7 @@
 
 import { needDocument } from "../client/document.js";
 import { attempt } from "./firing-ledger.js";
-import { ask, isAsked, pageOf } from "./pages.js";
+import { ask, canAsk, isAsked, pageOf } from "./pages.js";
 import { canFollow, listOf, named } from "./register.js";
 
 const DWELL_S = 0.065; // what the pointer only crosses is not loaded
@@ -62,7 +62,7 @@ function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonc
       if (!(href ? one instanceof Element : isLink(one)))
         throw new TypeError(`a link (<a href> or <area href>) is needed, received ${named(one)}`);
     onIntent([], load, options); // checks them
-    if (!canFollow()) return;
+    if (!(canFollow() && canAsk(nonce))) return;
     for (const one of found)
       if (!registered.has(one) && pageFor(one) !== null)
         registered.set(
