@@ -289,11 +289,13 @@ def test_one_time_in_the_future_is_forgotten_at_once(page: IntentPage) -> None:
 def test_what_the_signal_of_a_firing_ended_is_no_error(page: IntentPage) -> None:
     page.visitor.page.route("**/slow", lambda route: None)  # never answered
     page.make(
-        "window.errors = []; for (const kind of ['error', 'unhandledrejection']) addEventListener(kind, (event) => {"
+        "window.errors = []; for (const kind of ['error', 'unhandledrejection'])"
+        " addEventListener(kind, (event) => {"
         " errors.push(String(event.message ?? event.reason)); event.preventDefault(); });"
         "window.failed = []; const given = { predictor: 'minimum-jerk', policy: 'highlight' };"
         "box('goal', 600, 500); onIntent(goal, ({ signal }) => fetch('/slow', { signal }), given);"
-        "onIntent(goal, ({ signal }) => fetch('/slow', { signal }), { ...given, onError: (error) => failed.push(error) });"
+        "onIntent(goal, ({ signal }) => fetch('/slow', { signal }),"
+        " { ...given, onError: (error) => failed.push(error) });"
         "onIntent(goal, ({ signal }) => new Promise((_, reject) => signal.addEventListener('abort',"
         " () => reject(new Error('mine')))), given)"
     )
@@ -335,3 +337,36 @@ def test_where_parts_of_the_browser_are_missing_nothing_is_registered(page: Inte
     assert page.visitor.complaints() == []
     with pytest.raises(SourceError, match="unknown option"):
         page.value("onIntent(a, () => {}, { treshold: 1 })")
+
+
+@pytest.mark.parametrize("framework", ["vue", "svelte"])
+def test_a_directive_with_nothing_to_call_registers_nothing(page: IntentPage, framework: str) -> None:
+    bound = {
+        "vue": "vIntent.mounted(a, { value }); const update = (value) => vIntent.updated(a, { value });"
+        "const stop = () => vIntent.unmounted(a);",
+        "svelte": "const { update, destroy: stop } = intent(a, value);",
+    }[framework]
+    assert page.value(f"""import('/pointpred/frameworks/{framework}.js').then(({{ vIntent, intent }}) => {{
+      const a = box('a', 600, 500), counts = [], value = undefined;
+      const count = () => counts.push(trackers.size);
+      {bound} count();
+      const call = () => {{}};
+      for (const next of [null, call, undefined, {{ callback: call, policy: 'highlight' }}, {{}}]) {{
+        update(next); count(); }}
+      stop(); count(); return counts; }})""") == [0, 0, 1, 0, 1, 0, 0]
+
+
+@pytest.mark.parametrize("options", ["null", "3"])
+def test_options_that_are_none_are_named(page: IntentPage, options: str) -> None:
+    with pytest.raises(SourceError, match=f"options must be an object, received {options}"):
+        page.value(f"onIntent(box('a', 600, 500), () => {{}}, {options})")
+
+
+def test_a_promise_is_no_answer_whether_an_element_is_enabled(page: IntentPage) -> None:
+    page.make(
+        "window.failed = []; watch(box('goal', 600, 500), { enabled: async () => false,"
+        " onError: ({ message }) => failed.push(message) })"
+    )
+    page.move((40, 40), (650, 530))
+    assert page.said() == []
+    assert set(page.value("failed")) == {"enabled must answer at once, received a promise"}

@@ -275,7 +275,8 @@ def test_links_that_ask_otherwise_than_by_a_plain_get_are_left_out(page: IntentP
 
 def test_a_link_that_is_crossed_is_not_loaded(page: IntentPage) -> None:
     page.make(
-        f"{LINK} link('a', 600, '/next.html'); prefetchLink('a', {{ predictor: 'minimum-jerk', threshold: 1 }})"
+        f"{LINK} link('a', 600, '/next.html');"
+        "prefetchLink('a', { predictor: 'minimum-jerk', threshold: 1 })"
     )
     page.move((650, 40), (650, 690), 0.3)
     assert page.value(RULES) == []
@@ -292,6 +293,29 @@ def test_an_address_that_is_none_is_left_out(page: IntentPage) -> None:
     )
     assert cross(page, 350, 650) == ["/good.html"]
     assert page.visitor.complaints() == []
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ("{ origins: ['shop.example'] }", "origins .* shop.example"),
+        ("{ origins: 'mailto:a@b.example' }", "origins .* mailto:a@b.example"),
+        ("{ limit: '1' }", "limit must be a number"),
+        ("{ policy: 'highlight' }", "prefetchLink takes no policy"),
+        ("null", "options must be an object, received null"),
+    ],
+)
+def test_options_that_cannot_be_used_are_named(page: IntentPage, options: str, message: str) -> None:
+    with pytest.raises(SourceError, match=message):
+        page.value(f"prefetchLink('a', {options})")
+
+
+def test_an_origin_is_that_of_its_address(page: IntentPage) -> None:
+    page.make(
+        f"{LINK} link('other', 300, 'http://elsewhere.example/a');"
+        "prefetchLink('a', { predictor: 'minimum-jerk', origins: 'HTTP://elsewhere.example/shop/' })"
+    )
+    assert cross(page, 350) == ["http://elsewhere.example/a"]
 
 
 def test_without_speculation_rules_a_link_element_asks(page: IntentPage, host: str) -> None:

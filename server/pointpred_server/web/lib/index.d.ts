@@ -129,7 +129,9 @@ export function onIntent(
 /** Registers an element without a callback, so that its neighbours are predicted by mistake less often. */
 export function register(element: Element, options?: IntentOptions): Handle;
 
-export interface PrefetchLinkOptions extends IntentOptions {
+export interface PrefetchLinkOptions extends Omit<IntentOptions, "policy"> {
+  /** As of `onIntent`, but 0.065 by default: links that the pointer only crosses are not loaded. */
+  dwell_s?: number;
   /** `"prefetch"` (default) or `"prerender"`, where the browser has Speculation Rules. */
   action?: "prefetch" | "prerender";
   /** The address of the page behind an element, which then need not be a link; nothing: none. Its `href` by default. */
@@ -139,7 +141,7 @@ export interface PrefetchLinkOptions extends IntentOptions {
    * `data-no-prefetch`: what a pattern finds in the address, or a function says so of.
    */
   ignore?: LinkFilter | readonly LinkFilter[];
-  /** Other origins whose pages may be loaded, such as `"https://shop.example"`; `"*"`: all. None by default. */
+  /** Other origins whose pages may be loaded, such as `"https://shop.example"`; `"*"`: all. None by default. Of an address its origin counts. */
   origins?: string | readonly string[];
   /** The most pages to load; no limit by default. */
   limit?: number;

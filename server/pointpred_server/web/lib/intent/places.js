@@ -4,8 +4,8 @@ import { needDocument } from "../client/document.js";
 import { PointerStream } from "../client/pointer-stream.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { claimed, isRefused, REMAINING_S } from "../prediction/row.js";
-import { canFollow } from "./register.js";
 import { attempt, isAbort } from "./firing-ledger.js";
+import { canFollow } from "./register.js";
 
 /** @typedef {import("../prediction/chooser.js").PlaceChooser} Chooser */
 

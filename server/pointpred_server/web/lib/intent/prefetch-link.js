@@ -3,7 +3,7 @@
 import { needDocument } from "../client/document.js";
 import { attempt } from "./firing-ledger.js";
 import { ask, canAsk, isAsked, pageOf } from "./pages.js";
-import { canFollow, listOf, named } from "./register.js";
+import { canFollow, listOf, named, needObject } from "./register.js";
 
 const DWELL_S = 0.065; // what the pointer only crosses is not loaded
 const WATCH_MS = 100; // so long after a change of the page its links are looked for again
@@ -32,13 +32,15 @@ const NO_GET = ["data-method", "data-turbo-method"]; // what some frameworks ask
  */
 export const prefetchLinkWith = (onIntent) => (links, options) => prefetch(onIntent, links, options);
 
-/** @param {OnIntent} onIntent @param {Element|Iterable<Element>|string} links @param {import("../index.d.ts").PrefetchLinkOptions} [options] */
-function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonce, watch = false, ...given } = {}) {
+/** @param {OnIntent} onIntent @param {Element|Iterable<Element>|string} links @param {import("../index.d.ts").PrefetchLinkOptions} [given] */
+function prefetch(onIntent, links, given = {}) {
   needDocument("prefetchLink");
-  const { href, ignore = [], origins = [], dwell_s = DWELL_S, ...others } = given,
+  needObject(given);
+  const { action = "prefetch", limit = Infinity, nonce, watch = false, ...more } = given;
+  const { href, ignore = [], origins = [], dwell_s = DWELL_S, ...others } = more,
     options = { ...others, dwell_s };
-  const rules = { href, ignores: [ignore].flat(), origins: [origins].flat() };
-  check(links, { action, limit, watch, ...rules });
+  const rules = { href, ignores: [ignore].flat(), origins: [origins].flat().map(originOf) };
+  check(links, { action, limit, watch, ...others, ...rules });
   const { enabled = true, onError } = options;
   const fail = onError && ((error) => onError(error, null));
   const registered = new Map(); // what stops it, by link
@@ -78,17 +80,27 @@ function prefetch(onIntent, links, { action = "prefetch", limit = Infinity, nonc
   };
 }
 
-/** Throws a TypeError or a RangeError for an option that cannot be used. */
-function check(links, { action, limit, watch, href, ignores }) {
+/** Throws a TypeError or a RangeError for an option that cannot be used. @param {unknown} links @param {any} options */
+function check(links, { action, limit, watch, policy, href, ignores }) {
+  if (policy !== undefined) throw new TypeError(`prefetchLink takes no policy, received ${policy}`);
   if (action !== "prefetch" && action !== "prerender")
     throw new TypeError(`action must be prefetch or prerender, received ${action}`);
-  if (!(limit >= 1)) throw new RangeError(`limit must be a number from 1 on, received ${limit}`);
+  if (!(typeof limit === "number" && limit >= 1))
+    throw new RangeError(`limit must be a number from 1 on, received ${limit}`);
   if (watch && typeof links !== "string") throw new TypeError(`watch needs a selector, received ${links}`);
   if (href !== undefined && typeof href !== "function")
     throw new TypeError(`href must be a function, received ${href}`);
   for (const one of ignores)
     if (typeof one !== "function" && !(one instanceof RegExp))
       throw new TypeError(`ignore must be a RegExp, a function or a list of these, received ${one}`);
+}
+
+/** The origin of an address; `"*"` stays. Throws a TypeError for what has none. @param {string} given */
+function originOf(given) {
+  const origin = given === "*" ? given : parsed(given)?.origin;
+  if (origin === undefined || origin === "null")
+    throw new TypeError(`origins must be "*" or such as "https://shop.example", received ${given}`);
+  return origin;
 }
 
 /** Registers links of a selector that are added later, and stops those that have gone. @returns {() => void} stops it */

@@ -93,6 +93,11 @@ export const named = (one) => (one?.localName ? `<${one.localName}${one.id ? ` i
 /** Whether elements can be followed here. */
 export const canFollow = () => NEEDED.every((name) => name in globalThis);
 
+/** Throws a TypeError for options that are none. */
+export function needObject(options) {
+  if (Object(options) !== options) throw new TypeError(`options must be an object, received ${options}`);
+}
+
 /** Registers elements, all or none. */
 function begin(offer, elements, callback, given, subjectOf) {
   const options = optionsOf(offer, given);
@@ -143,6 +148,7 @@ function trackerOf(predictor) {
  * @returns {Options}
  */
 function optionsOf({ defaults, choices }, given = {}) {
+  needObject(given);
   const options = { ...DEFAULTS, ...defaults };
   for (const [name, value] of Object.entries(given)) {
     if (!(name in options)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(options).join(", ")}`);

@@ -59,7 +59,11 @@ export class Registration {
     if (this.#withheld && isReduced()) return false;
     if (policy === "prefetch" && this.#firedIn === visit) return false;
     if (once && t - this.#firedAt < again_s) return false;
-    return typeof enabled === "function" ? Boolean(attempt(() => enabled(this.element), this.#fail)) : enabled;
+    if (typeof enabled !== "function") return enabled;
+    const answer = /** @type {any} */ (attempt(() => enabled(this.element), this.#fail));
+    if (typeof answer?.then !== "function") return Boolean(answer);
+    this.#fail(new TypeError("enabled must answer at once, received a promise"));
+    return false;
   }
 
   /**
