@@ -370,3 +370,17 @@ def test_a_promise_is_no_answer_whether_an_element_is_enabled(page: IntentPage) 
     page.move((40, 40), (650, 530))
     assert page.said() == []
     assert set(page.value("failed")) == {"enabled must answer at once, received a promise"}
+
+
+def test_an_element_that_says_it_is_disabled_does_not_fire(page: IntentPage) -> None:
+    page.make(
+        "watch(box('prefetch', 600, 500)); watch(box('highlight', 300, 500), { policy: 'highlight' });"
+        "for (const one of [prefetch, highlight]) one.setAttribute('aria-disabled', 'true')"
+    )
+    page.move((40, 40), (650, 530))
+    page.away()
+    page.move((650, 530), (350, 530))
+    page.value("prefetch.focus()")
+    page.value("highlight.focus()")
+    page.away()
+    assert page.said() == []

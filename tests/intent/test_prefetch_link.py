@@ -318,6 +318,12 @@ def test_an_origin_is_that_of_its_address(page: IntentPage) -> None:
     assert cross(page, 350) == ["http://elsewhere.example/a"]
 
 
+def test_the_target_of_all_links_counts(page: IntentPage) -> None:
+    assert judged(page, "<base target=_blank>", "<a href='/a'>a</a>", "<a href='/b' target=_self>b</a>") == [
+        "/b"
+    ]
+
+
 def test_without_speculation_rules_a_link_element_asks(page: IntentPage, host: str) -> None:
     page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
     again = IntentPage(page.visitor, host)

@@ -126,6 +126,12 @@ function watchLinks(selector, registered, add) {
   };
 }
 
+/** Where a link opens its page: what it says itself, else what the page says of all links. @param {Element} link */
+function targetOf(link) {
+  const bases = isLink(link) ? [...document.getElementsByTagName("base")] : [];
+  return [link, ...bases].map((one) => one.getAttribute("target")).find((target) => target !== null) ?? "";
+}
+
 /** Whether a GET may end a session or change something, by the words of its path and of the keys and values of its query. @param {URL} url */
 function isUnsafe({ pathname, searchParams }) {
   const words = [pathname, ...[...searchParams].flat().filter((one) => !IS_ADDRESS.test(one))].join("/");
@@ -154,7 +160,7 @@ function loadable(link, { href, ignores, origins }) {
     /^https?:$/.test(url.protocol) &&
     (url.origin === location.origin || origins.includes("*") || origins.includes(url.origin)) &&
     url.href !== location.href.replace(/#.*/, "") &&
-    ["", "_self"].includes(link.getAttribute("target") ?? "") &&
+    ["", "_self"].includes(targetOf(link)) &&
     !link.hasAttribute("download") &&
     !link.closest("[data-no-prefetch]") &&
     !(url.username || url.password) &&
