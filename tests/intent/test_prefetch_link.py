@@ -324,6 +324,16 @@ def test_the_target_of_all_links_counts(page: IntentPage) -> None:
     ]
 
 
+def test_links_without_an_id_have_the_name_of_their_path(page: IntentPage) -> None:
+    page.make(
+        "document.body.insertAdjacentHTML('beforeend', `<a href='/next.html?page=2'"
+        " style='position:absolute;left:600px;top:500px;width:100px;height:60px'>a</a>`);"
+        "prefetchLink('a', { predictor: 'minimum-jerk' })"
+    )
+    cross(page, 650)
+    assert list(page.ledger()["names"]) == ["/next.html"]
+
+
 def test_without_speculation_rules_a_link_element_asks(page: IntentPage, host: str) -> None:
     page.visitor.page.add_init_script("HTMLScriptElement.supports = () => false")
     again = IntentPage(page.visitor, host)

@@ -154,7 +154,10 @@ export interface PrefetchLinkOptions extends Omit<IntentOptions, "policy"> {
   watch?: boolean;
 }
 
-export type LinkFilter = RegExp | ((element: Element, address: URL) => boolean);
+/** What is ignored; the element is a link unless `href` is given. */
+export type LinkFilter =
+  | RegExp
+  | ((element: HTMLAnchorElement | SVGAElement | HTMLAreaElement, address: URL) => boolean);
 
 /** Loads the pages of links that the user is heading for: of one, of several, or of a selector. Returns what stops it. */
 export function prefetchLink(links: Element | Iterable<Element> | string, options?: PrefetchLinkOptions): () => void;

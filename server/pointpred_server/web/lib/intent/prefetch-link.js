@@ -65,12 +65,15 @@ function prefetch(onIntent, links, given = {}) {
         throw new TypeError(`a link (<a href> or <area href>) is needed, received ${named(one)}`);
     onIntent([], load, options); // checks them
     if (!(canFollow() && canAsk(nonce))) return;
-    for (const one of found)
-      if (!registered.has(one) && pageFor(one) !== null)
-        registered.set(
-          one,
-          onIntent(one, load, { ...options, enabled: isOn }, (link) => pageFor(link) ?? link),
-        );
+    for (const one of found) {
+      const page = registered.has(one) ? null : pageFor(one);
+      if (page === null) continue;
+      const name = options.name || one.id || new URL(page.address).pathname;
+      registered.set(
+        one,
+        onIntent(one, load, { ...options, name, enabled: isOn }, (link) => pageFor(link) ?? link),
+      );
+    }
   };
   add(typeof links === "string" ? [...document.querySelectorAll(links)] : listOf(links));
   const unwatch = watch && canFollow() ? watchLinks(links, registered, add) : () => {};
