@@ -53,7 +53,7 @@ export interface IntentOptions {
   hitSlop?: number | Sides;
   /** Weight before the pointer moves; other elements have 1. 0 never fires. */
   priority?: number;
-  /** Its name in the ledger; the element's id by default. */
+  /** Its name in the ledger; the element's id by default, and of a link of `prefetchLink` without one the path of its page. */
   name?: string;
   /**
    * A name of the registry of predictors: `"kinematic-adaptive"` by default; `"minimum-jerk"` and `"switched-direction"` are small.
@@ -147,7 +147,8 @@ export interface PrefetchLinkOptions extends Omit<IntentOptions, "policy"> {
   limit?: number;
   /**
    * The nonce of the page's Content Security Policy, so that Speculation Rules can be used; `""` where the policy allows them by
-   * `'inline-speculation-rules'`. Without it a page with a policy uses `<link rel=prefetch>`.
+   * `'inline-speculation-rules'` or, without nonces and hashes, `'unsafe-inline'`. Without it a page with a policy uses `<link rel=prefetch>`, which needs
+   * pages that may be cached, and a directive that allows their origin.
    */
   nonce?: string;
   /** Also take links that are added later; for a selector. False by default. */

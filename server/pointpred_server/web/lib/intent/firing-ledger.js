@@ -63,6 +63,11 @@ export class FiringLedger {
       this.#tell("hit", about, { ...cause, t, lead_s: Math.max(0, t - cause.t) });
   }
 
+  /** What fired for a subject can no longer be used. @param {object} subject */
+  forget(subject) {
+    this.#open.delete(subject);
+  }
+
   /** Calls `listener` with each entry from now on. @param {(entry: LedgerEntry) => void} listener @returns {() => void} */
   subscribe(listener) {
     this.#listeners.add(listener);

@@ -57,7 +57,13 @@ function prefetch(onIntent, links, given = {}) {
   };
   const isOn = (link) => {
     const page = pageFor(link);
-    return left > 0 && page !== null && !isAsked(page) && (typeof enabled === "function" ? enabled(link) : enabled);
+    return (
+      left > 0 &&
+      page !== null &&
+      !isAsked(page) &&
+      canAsk(nonce) &&
+      (typeof enabled === "function" ? enabled(link) : enabled)
+    );
   };
   const add = (found) => {
     for (const one of found)
