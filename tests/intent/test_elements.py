@@ -107,8 +107,9 @@ def test_elements_that_nobody_holds_are_given_back(page: IntentPage) -> None:
 def test_nothing_is_held_after_the_last_stop(page: IntentPage) -> None:
     page.make(
         "const link = (id, left) => Object.assign(box(id, left, 500, 100, 60, 'a'), { href: `/${id}.html` });"
-        "window.stopAll = [prefetchLink([link('fired', 600), link('other', 300)], { predictor: 'minimum-jerk' }),"
-        " onIntent(box('plain', 100, 300), () => 0, { predictor: 'minimum-jerk', again_s: 0.1 })];"
+        "const given = { predictor: 'minimum-jerk' };"
+        "window.stopAll = [prefetchLink([link('fired', 600), link('other', 300)], given),"
+        " onIntent(box('plain', 100, 300), () => 0, { ...given, again_s: 0.1 })];"
     )
     page.move((40, 40), (650, 530), 0.4)
     page.away()

@@ -45,8 +45,9 @@ def test_it_fires_once_unless_asked_for_more(page: IntentPage) -> None:
 def test_what_a_firing_began_ends_before_the_next(page: IntentPage) -> None:
     page.make(
         "window.order = []; window.given = [];"
-        "window.stopEach = onIntent(box('each', 500, 500), ({ signal }) => { const number = given.push(signal);"
-        "order.push(number); return () => order.push(-number); }, { predictor: 'minimum-jerk', once: false })"
+        "window.stopEach = onIntent(box('each', 500, 500), ({ signal }) => {"
+        " const number = given.push(signal); order.push(number); return () => order.push(-number);"
+        "}, { predictor: 'minimum-jerk', once: false })"
     )
     for _ in range(3):
         page.move((40, 40), (550, 530), 0.3)

@@ -195,6 +195,40 @@ def test_react_forwards_the_ref_of_a_component(app: IntentPage) -> None:
     assert app.value("given.at(-1)") is None
 
 
+SWAP = """const { react: { createElement, forwardRef, useState }, createRoot, Intent } = app;
+const Swapped = forwardRef(function Swapped(properties, ref) {
+  const [type, set] = useState('a');
+  window.swap = (type) => app.flushSync(() => set(type));
+  return createElement(type, { ...properties, ref });
+});
+window.held = { current: null };
+window.given = [];
+const link = (ref) => createElement(Intent, { as: Swapped, onIntent: () => {}, ref });
+window.root = createRoot(document.getElementById('root'));
+app.flushSync(() => root.render(
+  createElement('p', null, link(held), link((element) => { given.push(element?.tagName ?? null); }))));"""
+
+
+@react
+def test_react_forwards_another_node_of_the_same_component(app: IntentPage) -> None:
+    app.make(SWAP.replace("createElement('p', null, link(held), link", "createElement('p', null, link"))
+    assert app.value("given") == ["A"]
+    app.make("swap('button')")
+    assert app.value("given") == ["A", None, "BUTTON"]
+    app.make("root.unmount()")
+    assert app.value("given") == ["A", None, "BUTTON", None]
+    app.make(
+        "const root = document.createElement('div'); root.id = 'root';"
+        "document.getElementById('root').replaceWith(root)"
+    )
+    app.make(SWAP.replace(", link((element) => { given.push(element?.tagName ?? null); })", ""))
+    assert app.value("held.current.tagName") == "A"
+    app.make("swap('button')")
+    assert app.value("held.current.tagName") == "BUTTON"
+    app.make("root.unmount()")
+    assert app.value("held.current") is None
+
+
 STATE = f"""const {{ react: {{ createElement, StrictMode, useState }}, createRoot, useIntentState }} = app;
 window.answer = () => undefined;
 function Card({{ policy }}) {{

@@ -28,7 +28,8 @@ def test_a_wrapped_link_is_predicted_though_another_lies_between_its_lines(page:
         "document.body.insertAdjacentHTML('beforeend', '<p style=\"position:absolute;left:100px;top:300px;"
         'width:400px;font:20px/40px monospace;margin:0">xxxxxxxxxxxxxxxxxxxxxxxxxxx '
         '<a id=wrapped href="/w.html">one two three</a>'
-        '<a href="/n.html" style="position:absolute;left:150px;top:0;width:150px;height:80px">next</a></p>\');'
+        '<a href="/n.html" style="position:absolute;left:150px;top:0;width:150px;height:80px">next</a>'
+        "</p>');"
         "watch(wrapped)"
     )
     box = page.value("wrapped.getBoundingClientRect().toJSON()")
@@ -43,7 +44,8 @@ def test_a_wrapped_link_is_predicted_though_another_lies_between_its_lines(page:
 def test_an_area_is_not_covered_by_its_neighbour_in_the_map(page: IntentPage) -> None:
     page.make(
         "document.body.insertAdjacentHTML('beforeend', `<map name=sea>"
-        "<area id=ring shape=poly coords='0,0,200,0,200,200,0,200,0,180,180,180,180,20,0,20' href='/ring.html'>"
+        "<area id=ring href='/ring.html' shape=poly"
+        " coords='0,0,200,0,200,200,0,200,0,180,180,180,180,20,0,20'>"
         "<area shape=rect coords='20,30,170,170' href='/inner.html'></map>"
         "<img usemap=#sea width=200 height=200 style='position:absolute;left:600px;top:400px'"
         " src=\"data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='200' height='200'/>\">`);"

@@ -134,7 +134,8 @@ await hand.click("#cart");
 const told = [];
 const gone = human(new URL(`${address}/gone`));
 for (const one of [() => hand.moveTo("#nothing"), () => gone.moveTo("#cart"), () => human(7),
-  () => human(address, { seed: -1 }), () => human(address, { skill: 2 })])
+  () => human(address, { seed: -1 }), () => human(address, { skill: 2 }),
+  () => human(address, { speed: 1 }), () => human(address, { at: { x: 1 } })])
   told.push(await Promise.resolve().then(one).catch((error) => `${error.name}: ${error.message}`));
 console.log(JSON.stringify(told));
 """
@@ -166,6 +167,39 @@ def test_a_webdriver_is_given_the_whole_movement_as_actions(tmp_path: Path) -> N
     assert told[2].startswith("TypeError: a page of Playwright or Puppeteer is needed")
     assert told[3].startswith("RangeError: seed must be a whole number")
     assert told[4].startswith("RangeError: skill must be a number in [0, 1]")
+    assert told[5:] == [
+        "TypeError: unknown option speed; known: seed, skill, at",
+        'TypeError: at must be a point {x, y}, received {"x":1}',
+    ]
+
+
+EDGE = """import { human } from "./human/index.js";
+let moves = [];
+globalThis.fetch = async (_, { body }) => {
+  moves = JSON.parse(body).actions?.[0].actions.filter(({ type }) => type === "pointerMove") ?? moves;
+  return { ok: true, json: async () => ({ value: { width: 800, height: 600 } }) };
+};
+const told = [];
+for (let seed = 0; seed < 20; seed += 1) {
+  const hand = human("http://driver.example/session/1", { seed, at: { x: 100, y: 300 } });
+  await hand.moveTo({ x: 799, y: 0 });
+  const { x, y } = moves.at(-1);
+  told.push([hand.at, { x, y }]);
+}
+console.log(JSON.stringify(told));
+"""
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="no node on this machine")
+def test_the_hand_is_where_the_mouse_has_stopped_at_an_edge(tmp_path: Path) -> None:
+    for room in ("human", "laws"):
+        (tmp_path / room).symlink_to(LIB / room)
+    npm.write(tmp_path, {"use.mjs": EDGE, "package.json": '{ "type": "module" }'})
+    told = json.loads(npm.run(["node", "--preserve-symlinks", "use.mjs"], tmp_path).stdout)
+    for at, mouse in told:
+        assert at == mouse
+        assert at["x"] <= 799
+        assert at["y"] >= 0
 
 
 CHROMEDRIVER = """import { spawn } from "node:child_process";

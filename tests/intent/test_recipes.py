@@ -194,7 +194,8 @@ def test_what_the_mouse_heads_for_is_loaded(framework: str, tmp_path: Path, visi
 ASTRO = {
     "astro.config.mjs": """import { defineConfig } from "astro/config";
 import pointpred from "pointpred/astro";
-export default defineConfig({ prefetch: { prefetchAll: true }, integrations: [pointpred({ hitSlop: 4 })] });
+const integrations = [pointpred({ hitSlop: 4, again_s: Infinity })];
+export default defineConfig({ prefetch: { prefetchAll: true }, integrations });
 """,
     "src/pages/index.astro": """---
 import { ClientRouter } from "astro:transitions";
@@ -207,14 +208,18 @@ import { ClientRouter } from "astro:transitions";
 <head><ClientRouter /></head><body>
 <a href="/cart/" style="position: absolute; left: 300px; top: 200px">cart</a>
 <a href="/never/" data-astro-prefetch="false" style="position: absolute; left: 300px; top: 400px">never</a>
+<a href="/logout/" style="position: absolute; left: 600px; top: 200px">log out</a>
+<p data-no-prefetch><a href="/quiet/" style="position: absolute; left: 600px; top: 400px">quiet</a></p>
 </body>
 """,
     "src/pages/cart.astro": f"<p>{MARKER}</p>",
-    "src/pages/never.astro": "<p>never</p>",
+    **{f"src/pages/{name}.astro": f"<p>{name}</p>" for name in ("never", "logout", "quiet")},
     "typed.ts": """import pointpred from "pointpred/astro";
 import { defineConfig } from "astro/config";
 
 export default defineConfig({ integrations: [pointpred(), pointpred({ threshold: 0.4 })] });
+// @ts-expect-error functions cannot be written into pages
+pointpred({ onError: () => {} });
 // @ts-expect-error no such option
 pointpred({ treshold: 0.4 });
 """,
@@ -236,10 +241,11 @@ def test_astro_prefetches_every_link_also_of_pages_that_its_router_swaps_in(
         visitor.page.click("a")
         visitor.wait("location.pathname === '/other/' && document.querySelector('a').textContent === 'cart'")
         visitor.value("new Promise((done) => setTimeout(done, 1000))")
-        for target in ("a[href='/never/']", "a[href='/cart/']"):
+        for target in ("a[href='/never/']", "a[href='/logout/']", "a[href='/quiet/']", "a[href='/cart/']"):
             left, top, width, height = visitor.corner(target)
             visitor.reach(AWAY, (left + width / 2, top + height / 2), 0.5)
             visitor.value("new Promise((done) => setTimeout(done, 400))")
         until(lambda: any(map(holds_cart, asked(visitor))), "the page behind the link", 10.0)
         assert visitor.value("same"), "the router has swapped the page in"
-        assert not any(one.endswith("/never/") for one in asked(visitor))
+        assert not any(one.endswith(("/never/", "/logout/", "/quiet/")) for one in asked(visitor))
+        assert visitor.complaints() == []

@@ -1,6 +1,15 @@
 // Hooks and a component for React.
 
-import { createElement, forwardRef, useCallback, useEffect, useImperativeHandle, useRef, useState } from "react";
+import {
+  createElement,
+  forwardRef,
+  useCallback,
+  useEffect,
+  useImperativeHandle,
+  useReducer,
+  useRef,
+  useState,
+} from "react";
 import { isAbort } from "../intent/firing-ledger.js";
 import { Registered } from "./registered.js";
 
@@ -53,12 +62,14 @@ export const Intent = forwardRef(function Intent(
   /** @type {Properties} */ { as = "a", onIntent, options, ...properties },
   outer,
 ) {
-  const element = useRef(null);
+  const element = useRef(undefined);
+  const [swaps, countSwap] = useReducer((count) => count + 1, 0);
   const register = useIntent(onIntent, options);
   const ref = useCallback((found) => {
+    if (found && element.current !== undefined) countSwap(); // a component may change its node without this being rendered
     element.current = found;
     register(found);
   }, []);
-  useImperativeHandle(outer, () => element.current, [as]);
+  useImperativeHandle(outer, () => element.current, [as, swaps]);
   return createElement(as, { ...properties, ref });
 });

@@ -30,8 +30,12 @@ export function human(browser, { seed = 1, skill = 0.5, at = { x: 0, y: 0 }, ...
     if (!(x >= 0 && y >= 0 && x < width && y < height))
       throw new Error(`the middle of ${name} lies outside of the viewport, at ${x}, ${y}: scroll there first`);
     const within = (value, most) => Math.min(Math.max(value, 0), most - 1);
-    const reports = hand.reach(box, clicks);
-    await driver.play(reports.map((one) => ({ ...one, x: within(one.x, width), y: within(one.y, height) })));
+    const reports = hand
+      .reach(box, clicks)
+      .map((one) => ({ ...one, x: within(one.x, width), y: within(one.y, height) }));
+    const last = reports[reports.length - 1];
+    hand.at = { x: last.x, y: last.y }; // the mouse stops at the edge of the viewport
+    await driver.play(reports);
   }
 
   return {

@@ -159,7 +159,7 @@ function parsed(address, base) {
 const isLink = (one) => one instanceof Element && (one.localName === "a" || one.localName === "area");
 
 /** The address of the page behind a link without its fragment; null if it shall not be loaded ahead. */
-function loadable(link, { href, ignores, origins }) {
+export function loadable(link, { href, ignores, origins }) {
   const given = href ? href(link) : (link.href?.baseVal ?? link.href);
   if (!given) return null;
   const url = parsed(given, document.baseURI);
