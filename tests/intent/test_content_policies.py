@@ -21,14 +21,14 @@ POLICIES = {
     "nonce": "script-src 'self' 'nonce-abc'",
     "types": f"script-src 'self'; {TYPES}",
     "named": f"script-src 'self' 'nonce-abc'; {TYPES}; trusted-types pointpred",
-    "closed": "default-src 'none'; script-src 'self'; style-src 'unsafe-inline'; img-src data:",
-    "pictures": "default-src 'none'; script-src 'self'; style-src 'unsafe-inline'; img-src 'self'",
+    "closed": "default-src 'none'; script-src 'nonce-abc'; style-src 'unsafe-inline'; img-src data:",
+    "pictures": "default-src 'none'; script-src 'nonce-abc'; style-src 'unsafe-inline'; img-src 'self'",
     "unnamed": "script-src 'self' 'nonce-abc'; trusted-types 'none'",
 }
 PAGE = """<!doctype html><title>a site</title>META<body style="margin:0">
 <a id="goal" href="/next.html" style="position:absolute;left:600px;top:500px;width:100px;height:60px">goal</a>
-<a id="far" href="/far.html" style="position:absolute;left:100px;top:100px;width:100px;height:60px">far</a>
-<script type="module" src="/site.js" data-nonce="NONCE"></script>"""
+<a id="far" href="/far.html" style="position:absolute;left:800px;top:40px;width:100px;height:60px">far</a>
+<script type="module" nonce="abc" src="/site.js" data-nonce="NONCE"></script>"""
 SITE = """import { prefetchLink, ledger } from "/pointpred/intent/index.js";
 window.violations = [];
 window.counted = ledger;
@@ -126,10 +126,10 @@ def test_what_a_policy_refuses_is_tried_once(
     until(lambda: value("window.counted !== undefined"), "the module")
     value("addEventListener('click', (event) => event.preventDefault())")
     value("new Promise((done) => setTimeout(done, 500))")
-    visitor.reach((500, 300), (650, 530), 0.5)
+    visitor.reach((400, 400), (650, 530), 0.5)
     until(lambda: value("counted().fired") == 1, "the link to fire")
     until(lambda: value("violations.length") == 1, "the report")
-    visitor.reach((650, 530), (150, 130), 0.5)
+    visitor.reach((650, 530), (850, 70), 0.5)
     value("new Promise((done) => setTimeout(done, 500))")
     visitor.click(650, 530)
     value("new Promise((done) => setTimeout(done, 200))")
