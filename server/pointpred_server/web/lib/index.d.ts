@@ -37,8 +37,8 @@ export interface IntentOptions {
    */
   policy?: "prefetch" | "highlight";
   /**
-   * How likely it must be that the pointer goes to the element (prefetch: through it), in (0, 1); 0.5 by default. Higher fires later
-   * and less often. If an element has several registrations, the lowest counts. 1 is accepted, too: a prefetch then fires at entry only.
+   * How likely it must be that the pointer goes to the element (prefetch: through it), in (0, 1]; 0.5 by default. Higher fires later
+   * and less often; at 1 a prefetch fires at entry only. If an element has several registrations, the lowest counts.
    */
   threshold?: number;
   /** Whether it fires at all, asked each time it would; true by default. It stays registered meanwhile. */

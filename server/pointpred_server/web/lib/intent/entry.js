@@ -7,6 +7,12 @@ const COVERED_MS = 250; // how long an answer of the hit test is used
 const DISABLED = ":disabled, [inert], [inert] *, [aria-disabled=true]";
 const SEEN = { visibilityProperty: true, opacityProperty: true, contentVisibilityAuto: true };
 
+/** The middle and the length of what is seen of a side, px. */
+const seen = (low, high, most) => {
+  const [from, to] = [Math.max(low, 0), Math.min(high, most)];
+  return [0.5 * (from + to), Math.max(to - from, 0)];
+};
+
 let entries = 0; // so far
 
 /** A registered element. */
@@ -82,12 +88,11 @@ export class Entry {
     let largest = 0;
     /** @type {Element|null} */ let hit = null;
     for (const { left, top, right, bottom } of this.parts()) {
-      const [west, north] = [Math.max(left, 0), Math.max(top, 0)],
-        [east, south] = [Math.min(right, innerWidth), Math.min(bottom, innerHeight)],
-        size = Math.max(east - west, 0) * Math.max(south - north, 0);
-      if (size <= largest) continue;
-      largest = size;
-      hit = this.#hit(0.5 * (west + east), 0.5 * (north + south));
+      const [x, across] = seen(left, right, innerWidth),
+        [y, down] = seen(top, bottom, innerHeight);
+      if (across * down <= largest) continue;
+      largest = across * down;
+      hit = this.#hit(x, y);
     }
     this.#coveredAt = performance.now();
     this.#covered = hit !== null && hit !== this.shown && !this.whole.contains(hit) && !hit.contains(this.element);

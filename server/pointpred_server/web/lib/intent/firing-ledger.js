@@ -86,8 +86,9 @@ export class FiringLedger {
   }
 
   /** @param {LedgerEntry["kind"]} kind @param {About} about @param {Cause & {lead_s?: number|null}} cause */
-  #tell(kind, { element, name, policy }, { reason, p, score, threshold, t, lead_s = null }) {
-    const entry = { kind, element: element.deref() ?? null, name, policy, reason, p, score, threshold, t, lead_s };
+  #tell(kind, about, { reason, p, score, threshold, t, lead_s = null }) {
+    const element = about.element.deref() ?? null,
+      entry = { kind, ...about, element, reason, p, score, threshold, t, lead_s };
     this.#count(entry);
     for (const listener of this.#listeners) attempt(() => listener(entry));
   }

@@ -77,7 +77,7 @@ export class Registration {
     this.#finish(); // what the firing before has begun
     const end = new AbortController();
     [this.#firedAt, this.#firedIn, this.#end, this.#cleanup] = [cause.t, visit, end, null];
-    this.firing = { element: this.element, name: this.about.name, policy, ...cause, signal: end.signal };
+    this.firing = { ...this.about, ...cause, element: this.element, signal: end.signal };
     this.#mark(cause.reason);
     ledger.fire(this, cause);
     const answer = attempt(
