@@ -164,7 +164,7 @@ def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage)
         (
             "const frame = document.createElement('iframe'); document.body.append(frame);"
             "onIntent(frame.contentDocument.body, () => {})",
-            "<body> belongs to the document of a frame: load pointpred there, too",
+            "<body> is in a frame: load pointpred there, too",
         ),
         (
             "watch(document.body, { hitSlop: { top: -1 } })",
@@ -326,7 +326,7 @@ def test_an_element_without_weight_never_fires(page: IntentPage) -> None:
 
 def test_where_parts_of_the_browser_are_missing_nothing_is_registered(page: IntentPage, host: str) -> None:
     """As in the documents of jsdom, which tests of components run in."""
-    missing = "for (const one of ['IntersectionObserver', 'matchMedia', 'reportError']) delete window[one];"
+    missing = "for (const one of ['IntersectionObserver', 'reportError']) delete window[one];"
     page.make(
         f"{missing} box('a', 600, 500); box('b', 300, 500, 100, 60, 'a').href = 'http://';"
         "window.stopAll = onIntent(a, () => {}); window.stopLinks = prefetchLink('a', { watch: true });"
@@ -336,8 +336,6 @@ def test_where_parts_of_the_browser_are_missing_nothing_is_registered(page: Inte
     page.value("handle.ready")
     page.value("[stopAll(), stopLinks(), handle.stop()].length")
     assert page.visitor.complaints() == []
-    with pytest.raises(SourceError, match="unknown option"):
-        page.value("onIntent(a, () => {}, { treshold: 1 })")
 
 
 @pytest.mark.parametrize("framework", ["vue", "svelte"])
@@ -357,10 +355,12 @@ def test_a_directive_with_nothing_to_call_registers_nothing(page: IntentPage, fr
       stop(); count(); return counts; }})""") == [0, 0, 1, 0, 1, 0, 0]
 
 
-@pytest.mark.parametrize("options", ["null", "3"])
-def test_options_that_are_none_are_named(page: IntentPage, options: str) -> None:
-    with pytest.raises(SourceError, match=f"options must be an object, received {options}"):
-        page.value(f"onIntent(box('a', 600, 500), () => {{}}, {options})")
+def test_null_is_no_options(page: IntentPage) -> None:
+    page.make(
+        "onIntent(box('a', 600, 500), () => heard.push({ id: 'a', reason: 'fired', began: true }), null)"
+    )
+    page.move((40, 40), (650, 530))
+    assert page.said() == ["a fired"]
 
 
 def test_a_promise_is_no_answer_whether_an_element_is_enabled(page: IntentPage) -> None:
@@ -370,7 +370,7 @@ def test_a_promise_is_no_answer_whether_an_element_is_enabled(page: IntentPage) 
     )
     page.move((40, 40), (650, 530))
     assert page.said() == []
-    assert set(page.value("failed")) == {"enabled must answer at once, received a promise"}
+    assert page.value("failed") == []
 
 
 def test_an_element_that_says_it_is_disabled_does_not_fire(page: IntentPage) -> None:
@@ -381,7 +381,5 @@ def test_an_element_that_says_it_is_disabled_does_not_fire(page: IntentPage) -> 
     page.move((40, 40), (650, 530))
     page.away()
     page.move((650, 530), (350, 530))
-    page.value("prefetch.focus()")
-    page.value("highlight.focus()")
     page.away()
     assert page.said() == []

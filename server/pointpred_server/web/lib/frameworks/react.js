@@ -40,7 +40,7 @@ export function useIntentState(callback, options) {
   const [state, setState] = useState(BEFORE);
   const change = (part) => setState((now) => ({ ...now, ...part }));
   const ref = useIntent((firing) => {
-    const fail = (error) => isAbort(error, firing.signal) || change({ error });
+    const fail = (error) => isAbort(error) || change({ error });
     setState({ predicted: true, fired: true, p: firing.p, error: null });
     firing.signal.addEventListener("abort", () => change({ predicted: false }));
     try {

@@ -25,8 +25,8 @@ export function attempt(call, onError = reportError) {
   }
 }
 
-/** Whether an error only says that a firing is over: what its signal ended was rejected. @param {any} error @param {AbortSignal} signal */
-export const isAbort = (error, signal) => signal.aborted && error?.name === "AbortError";
+/** Whether an error only says that something was ended on purpose, such as by the signal of a firing. @param {any} error */
+export const isAbort = (error) => error?.name === "AbortError";
 
 /** Tells of the firings of registered elements, and which of these were used. */
 export class FiringLedger {
@@ -61,11 +61,6 @@ export class FiringLedger {
     this.#open.delete(subject);
     for (const [about, cause] of open ?? [])
       this.#tell("hit", about, { ...cause, t, lead_s: Math.max(0, t - cause.t) });
-  }
-
-  /** What fired for a subject can no longer be used. @param {object} subject */
-  forget(subject) {
-    this.#open.delete(subject);
   }
 
   /** Calls `listener` with each entry from now on. @param {(entry: LedgerEntry) => void} listener @returns {() => void} */

@@ -1,7 +1,5 @@
 // Asks the browser for pages ahead: by Speculation Rules where they are allowed, else by <link rel=prefetch>.
 
-import { ledger } from "./registration.js";
-
 const FRESH_MS = 300000; // the browser forgets a page so long after it was loaded
 const MOST_PAGES = 1000; // beyond, those that the browser was not asked for lately are forgotten
 const MOST = { prefetch: 40, prerender: 8, link: 40 }; // at a time: Chromium takes rules for no more than 50 and 10 pages
@@ -114,7 +112,7 @@ function loadNext() {
   link.href = page.address;
   link.onload = end;
   link.onerror = () => {
-    ledger.forget(page); // to use the page is no hit
+    pages.set(page.address, { ...page }); // another page to the ledger: its use is no hit
     end();
   };
   timer = setTimeout(end, LOST_MS);

@@ -170,7 +170,7 @@ class Places {
     };
     const cleanup = attempt(
       () => this.#callback(firing),
-      (error) => isAbort(error, end.signal) || reportError(error),
+      (error) => isAbort(error) || reportError(error),
     );
     this.#firings.set(id, { end, cleanup: typeof cleanup === "function" ? cleanup : null });
   }

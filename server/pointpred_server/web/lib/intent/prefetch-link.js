@@ -3,7 +3,7 @@
 import { needDocument } from "../client/document.js";
 import { attempt } from "./firing-ledger.js";
 import { ask, canAsk, isAsked, pageOf } from "./pages.js";
-import { canFollow, listOf, named, needObject } from "./register.js";
+import { canFollow, listOf, named } from "./register.js";
 
 const DWELL_S = 0.065; // what the pointer only crosses is not loaded
 const WATCH_MS = 100; // so long after a change of the page its links are looked for again
@@ -35,7 +35,7 @@ export const prefetchLinkWith = (onIntent) => (links, options) => prefetch(onInt
 /** @param {OnIntent} onIntent @param {Element|Iterable<Element>|string} links @param {import("../index.d.ts").PrefetchLinkOptions} [given] */
 function prefetch(onIntent, links, given = {}) {
   needDocument("prefetchLink");
-  needObject(given);
+  if (Object(given) !== given) throw new TypeError(`options must be an object, received ${given}`);
   const { action = "prefetch", limit = Infinity, nonce, watch = false, ...more } = given;
   const { href, ignore = [], origins = [], dwell_s = DWELL_S, ...others } = more,
     options = { ...others, dwell_s };

@@ -39,8 +39,6 @@ const DEFAULTS = {
   attributes: false,
   onError: undefined,
 };
-/** What is asked of the browser; documents of jsdom, which tests of components run in, have none of these. */
-const NEEDED = ["IntersectionObserver", "matchMedia", "reportError"];
 const NO_SLOP = { top: 0, right: 0, bottom: 0, left: 0 };
 
 /** The trackers in use, by their predictor and service. @type {Map<string, Tracker>} */
@@ -68,6 +66,7 @@ export const onIntentWith = (offer) =>
   function onIntent(elements, callback, options, subjectOf) {
     needDocument("onIntent");
     if (typeof callback !== "function") throw new TypeError(`onIntent needs a function to call, received ${callback}`);
+    if (!canFollow()) return () => {};
     const handles = begin(offer, listOf(elements), callback, options, subjectOf);
     return () => handles.forEach(({ stop }) => stop());
   };
@@ -80,6 +79,7 @@ export const onIntentWith = (offer) =>
 export const registerWith = (offer) =>
   function register(element, options) {
     needDocument("register");
+    if (!canFollow()) return { element, share: 0, ready: Promise.resolve(), stop() {} };
     return begin(offer, [element], null, options)[0];
   };
 
@@ -90,20 +90,14 @@ export const listOf = (given) =>
 /** What an error calls an element. */
 export const named = (one) => (one?.localName ? `<${one.localName}${one.id ? ` id="${one.id}"` : ""}>` : String(one));
 
-/** Whether elements can be followed here. */
-export const canFollow = () => NEEDED.every((name) => name in globalThis);
-
-/** Throws a TypeError for options that are none. */
-export function needObject(options) {
-  if (Object(options) !== options) throw new TypeError(`options must be an object, received ${options}`);
-}
+/** Whether elements can be followed here: not in documents of jsdom, which tests of components run in. */
+export const canFollow = () => Boolean(globalThis.IntersectionObserver && globalThis.reportError);
 
 /** Registers elements, all or none. */
 function begin(offer, elements, callback, given, subjectOf) {
   const options = optionsOf(offer, given);
   elements.forEach(check);
   if (elements.length === 0) return [];
-  if (!canFollow()) return elements.map((element) => ({ element, share: 0, ready: Promise.resolve(), stop() {} }));
   const tracker = trackerOf(offer.of(options));
   return elements.map((element) => {
     const registration = new Registration(element, callback, options, subjectOf && (() => subjectOf(element)));
@@ -121,8 +115,7 @@ function begin(offer, elements, callback, given, subjectOf) {
 
 function check(element) {
   const view = element?.ownerDocument?.defaultView;
-  if (view && view !== window)
-    throw new TypeError(`${named(element)} belongs to the document of a frame: load pointpred there, too`);
+  if (view && view !== window) throw new TypeError(`${named(element)} is in a frame: load pointpred there, too`);
   if (!(element instanceof Element))
     throw new TypeError(`an element of the page is needed, received ${named(element)}`);
 }
@@ -148,9 +141,8 @@ function trackerOf(predictor) {
  * @returns {Options}
  */
 function optionsOf({ defaults, choices }, given = {}) {
-  needObject(given);
   const options = { ...DEFAULTS, ...defaults };
-  for (const [name, value] of Object.entries(given)) {
+  for (const [name, value] of Object.entries(given ?? {})) {
     if (!(name in options)) throw new TypeError(`unknown option ${name}; known: ${Object.keys(options).join(", ")}`);
     if (value !== undefined) options[name] = value;
   }

@@ -3,7 +3,7 @@
 import { attempt, FiringLedger, isAbort } from "./firing-ledger.js";
 
 const MARKS = ["data-target", "data-predicted"]; // attributes for style sheets
-const SLOW = ["slow-2g", "2g"]; // connections too slow to load anything ahead
+const SLOW = /2g/; // connections too slow to load anything ahead
 
 /**
  * The options of a registration, with their defaults.
@@ -18,7 +18,7 @@ export const ledger = new FiringLedger();
 function isReduced() {
   const { saveData = false, effectiveType = "" } =
     /** @type {{connection?: {saveData?: boolean, effectiveType?: string}} & Navigator} */ (navigator).connection ?? {};
-  return saveData || SLOW.includes(effectiveType) || matchMedia("(prefers-reduced-data: reduce)").matches;
+  return saveData || SLOW.test(effectiveType) || matchMedia("(prefers-reduced-data: reduce)").matches;
 }
 
 /** An element, what is called for it, and the state of that. */
@@ -59,11 +59,9 @@ export class Registration {
     if (this.#withheld && isReduced()) return false;
     if (policy === "prefetch" && this.#firedIn === visit) return false;
     if (once && t - this.#firedAt < again_s) return false;
-    if (typeof enabled !== "function") return enabled;
-    const answer = /** @type {any} */ (attempt(() => enabled(this.element), this.#fail));
-    if (typeof answer?.then !== "function") return Boolean(answer);
-    this.#fail(new TypeError("enabled must answer at once, received a promise"));
-    return false;
+    /** @type {any} */
+    const answer = typeof enabled === "function" ? attempt(() => enabled(this.element), this.#fail) : enabled;
+    return answer && !answer.then; // a promise is no answer
   }
 
   /**
@@ -80,10 +78,7 @@ export class Registration {
     this.firing = { ...this.about, ...cause, element: this.element, signal: end.signal };
     this.#mark(cause.reason);
     ledger.fire(this, cause);
-    const answer = attempt(
-      () => this.#callback(this.firing),
-      (error) => isAbort(error, end.signal) || this.#fail(error),
-    );
+    const answer = attempt(() => this.#callback(this.firing), this.#fail);
     if (typeof answer?.then === "function")
       answer.then(
         (late) => this.#take(late, end),
@@ -147,6 +142,7 @@ export class Registration {
   /** An error of the page's own function. */
   #fail = (error) => {
     const { onError } = this.options;
+    if (isAbort(error)) return;
     if (onError) attempt(() => onError(error, this.firing));
     else reportError(error);
   };
