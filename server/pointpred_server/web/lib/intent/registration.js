@@ -1,6 +1,6 @@
 // One registration of an element: whether it may fire now, and what it has begun by firing.
 
-import { attempt, FiringLedger, isAbort } from "./firing-ledger.js";
+import { attempt, FiringLedger } from "./firing-ledger.js";
 
 const MARKS = ["data-target", "data-predicted"]; // attributes for style sheets
 const SLOW = /2g/; // connections too slow to load anything ahead
@@ -16,7 +16,7 @@ export const ledger = new FiringLedger();
 
 /** Whether nothing shall be loaded ahead: `Save-Data`, a 2G connection, or the media feature `prefers-reduced-data`. */
 function isReduced() {
-  const { saveData = false, effectiveType = "" } =
+  const { saveData, effectiveType = "" } =
     /** @type {{connection?: {saveData?: boolean, effectiveType?: string}} & Navigator} */ (navigator).connection ?? {};
   return saveData || SLOW.test(effectiveType) || matchMedia("(prefers-reduced-data: reduce)").matches;
 }
@@ -142,7 +142,7 @@ export class Registration {
   /** An error of the page's own function. */
   #fail = (error) => {
     const { onError } = this.options;
-    if (isAbort(error)) return;
+    if (error?.name === "AbortError") return; // something was ended on purpose
     if (onError) attempt(() => onError(error, this.firing));
     else reportError(error);
   };
