@@ -21,10 +21,14 @@ POLICIES = {
     "nonce": "script-src 'self' 'nonce-abc'",
     "types": f"script-src 'self'; {TYPES}",
     "named": f"script-src 'self' 'nonce-abc'; {TYPES}; trusted-types pointpred",
+    "closed": "default-src 'none'; script-src 'nonce-abc'; style-src 'unsafe-inline'; img-src data:",
+    "pictures": "default-src 'none'; script-src 'nonce-abc'; style-src 'unsafe-inline'; img-src 'self'",
+    "unnamed": "script-src 'self' 'nonce-abc'; trusted-types 'none'",
 }
 PAGE = """<!doctype html><title>a site</title>META<body style="margin:0">
 <a id="goal" href="/next.html" style="position:absolute;left:600px;top:500px;width:100px;height:60px">goal</a>
-<script type="module" src="/site.js" data-nonce="NONCE"></script>"""
+<a id="far" href="/far.html" style="position:absolute;left:800px;top:40px;width:100px;height:60px">far</a>
+<script type="module" nonce="abc" src="/site.js" data-nonce="NONCE"></script>"""
 SITE = """import { prefetchLink, ledger } from "/pointpred/intent/index.js";
 window.violations = [];
 window.counted = ledger;
@@ -45,7 +49,7 @@ class Site(Silent, SimpleHTTPRequestHandler):
             super().do_GET()
         elif path == "/site.js":
             self.answer(SITE, "text/javascript")
-        elif path == "/next.html":
+        elif path in ("/next.html", "/far.html"):
             self.asked.append(path)
             self.answer("<!doctype html>", "text/html")
         else:
@@ -84,6 +88,7 @@ def site() -> Iterator[str]:
         ("nonce", "", False),
         ("nonce", "abc", True),
         ("types", "", False),
+        ("pictures", "", False),
         ("named", "abc", True),
     ],
 )
@@ -106,3 +111,29 @@ def test_a_link_is_prefetched_without_a_violation(
     )
     assert value("violations") == []
     assert said == [], "nothing in the console"
+
+
+@pytest.mark.parametrize(
+    ("address", "nonce", "asked", "violation"),
+    [("closed", "", [], "default-src"), ("unnamed", "abc", ["/next.html", "/far.html"], "trusted-types")],
+)
+def test_what_a_policy_refuses_is_tried_once(
+    visitor: Visitor, site: str, address: str, nonce: str, asked: list[str], violation: str
+) -> None:
+    Site.asked.clear()
+    visitor.open(f"{site}/{address}?{nonce}")
+    value = visitor.page.evaluate  # not eval, which a policy refuses
+    until(lambda: value("window.counted !== undefined"), "the module")
+    value("addEventListener('click', (event) => event.preventDefault())")
+    value("new Promise((done) => setTimeout(done, 500))")
+    visitor.reach((400, 400), (650, 530), 0.5)
+    until(lambda: value("counted().fired") == 1, "the link to fire")
+    until(lambda: value("violations.length") == 1, "the report")
+    visitor.reach((650, 530), (850, 70), 0.5)
+    value("new Promise((done) => setTimeout(done, 500))")
+    visitor.click(650, 530)
+    value("new Promise((done) => setTimeout(done, 200))")
+    assert value("violations") == [violation]
+    assert Site.asked == asked
+    assert value("counted().fired") == (2 if asked else 1)
+    assert value("counted().hit") == (1 if asked else 0), "what was refused is never used"

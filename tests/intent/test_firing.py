@@ -153,18 +153,18 @@ def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage)
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        ("onIntent(document.body)", "onIntent needs a function to call, received undefined"),
-        ("onIntent('#a', () => {})", "an element of the page is needed, received #a"),
+        ("onIntent(document.body)", "a function is needed, received undefined"),
+        ("onIntent('#a', () => {})", "an element is needed, received #a"),
         ("watch(document.body, { treshold: 1 })", "unknown option treshold; known: policy, "),
         ("watch(document.body, { threshold: 2 })", "threshold must be a number in [0.000001, 1], received 2"),
         ("watch(document.body, { threshold: 0 })", "threshold must be a number in [0.000001, 1], received 0"),
         ("watch(document.body, { hitSlop: '8' })", "hitSlop top must be a number in [0, 10000], received 8"),
-        ("watch(document.body, { hitSlop: { up: 8 } })", "unknown side up of hitSlop; known: top, right, "),
+        ("watch(document.body, { hitSlop: { up: 8 } })", "unknown side up of hitSlop"),
         ("watch(document.body, { enabled: 1 })", "enabled must be one of a boolean, a function, received 1"),
         (
             "const frame = document.createElement('iframe'); document.body.append(frame);"
             "onIntent(frame.contentDocument.body, () => {})",
-            "<body> belongs to the document of a frame: load pointpred there, too",
+            "<body> is in a frame: load pointpred there",
         ),
         (
             "watch(document.body, { hitSlop: { top: -1 } })",
@@ -194,7 +194,7 @@ def test_elements_of_a_list_are_registered_all_or_none(page: IntentPage) -> None
         "window.options = { predictor: 'minimum-jerk' };"
         "window.stopBoth = onIntent(document.querySelectorAll('button'), again, options)"
     )
-    with pytest.raises(SourceError, match="an element of the page is needed, received null"):
+    with pytest.raises(SourceError, match="an element is needed, received null"):
         page.value("onIntent([one, null], again, options)")
     page.move((40, 40), (150, 130), 0.3)
     page.move((150, 130), (350, 130), 0.3)
@@ -285,3 +285,101 @@ def test_one_time_in_the_future_is_forgotten_at_once(page: IntentPage) -> None:
     page.away()
     page.move((40, 40), (550, 530), 0.4)
     assert page.said() == ["goal predicted"]
+
+
+def test_what_the_signal_of_a_firing_ended_is_no_error(page: IntentPage) -> None:
+    page.visitor.page.route("**/slow", lambda route: None)  # never answered
+    page.make(
+        "window.errors = []; for (const kind of ['error', 'unhandledrejection'])"
+        " addEventListener(kind, (event) => {"
+        " errors.push(String(event.message ?? event.reason)); event.preventDefault(); });"
+        "window.failed = []; const given = { predictor: 'minimum-jerk', policy: 'highlight' };"
+        "box('goal', 600, 500); onIntent(goal, ({ signal }) => fetch('/slow', { signal }), given);"
+        "onIntent(goal, ({ signal }) => fetch('/slow', { signal }),"
+        " { ...given, onError: (error) => failed.push(error) });"
+        "onIntent(goal, ({ signal }) => new Promise((_, reject) => signal.addEventListener('abort',"
+        " () => reject(new Error('mine')))), given)"
+    )
+    page.move((40, 40), (650, 530))
+    page.away()
+    page.move((650, 530), (40, 40))
+    page.away()
+    page.visitor.page.unroute_all()
+    assert page.ledger()["withdrawn"] >= 3
+    assert set(page.value("errors")) == {"Uncaught Error: mine"}
+    assert page.value("failed") == []
+
+
+def test_an_element_without_weight_never_fires(page: IntentPage) -> None:
+    page.make(
+        "watch(box('never', 600, 500), { priority: 0 });"
+        "watch(box('dark', 300, 500), { priority: 0, policy: 'highlight' })"
+    )
+    page.move((40, 40), (650, 530))
+    page.away()
+    page.move((650, 530), (350, 530))
+    page.value("never.focus()")
+    page.visitor.page.keyboard.press("Tab")
+    page.away()
+    assert page.said() == []
+
+
+def test_where_parts_of_the_browser_are_missing_nothing_is_registered(page: IntentPage, host: str) -> None:
+    """As in the documents of jsdom, which tests of components run in."""
+    missing = "for (const one of ['IntersectionObserver', 'reportError']) delete window[one];"
+    page.make(
+        f"{missing} box('a', 600, 500); box('b', 300, 500, 100, 60, 'a').href = 'http://';"
+        "window.stopAll = onIntent(a, () => {}); window.stopLinks = prefetchLink('a', { watch: true });"
+        "window.handle = register(a)"
+    )
+    assert page.value("[trackers.size, handle.share, handle.element.id]") == [0, 0, "a"]
+    page.value("handle.ready")
+    page.value("[stopAll(), stopLinks(), handle.stop()].length")
+    assert page.visitor.complaints() == []
+
+
+@pytest.mark.parametrize("framework", ["vue", "svelte"])
+def test_a_directive_with_nothing_to_call_registers_nothing(page: IntentPage, framework: str) -> None:
+    bound = {
+        "vue": "vIntent.mounted(a, { value }); const update = (value) => vIntent.updated(a, { value });"
+        "const stop = () => vIntent.unmounted(a);",
+        "svelte": "const { update, destroy: stop } = intent(a, value);",
+    }[framework]
+    assert page.value(f"""import('/pointpred/frameworks/{framework}.js').then(({{ vIntent, intent }}) => {{
+      const a = box('a', 600, 500), counts = [], value = undefined;
+      const count = () => counts.push(trackers.size);
+      {bound} count();
+      const call = () => {{}};
+      for (const next of [null, call, undefined, {{ callback: call, policy: 'highlight' }}, {{}}]) {{
+        update(next); count(); }}
+      stop(); count(); return counts; }})""") == [0, 0, 1, 0, 1, 0, 0]
+
+
+def test_null_is_no_options(page: IntentPage) -> None:
+    page.make(
+        "onIntent(box('a', 600, 500), () => heard.push({ id: 'a', reason: 'fired', began: true }), null)"
+    )
+    page.move((40, 40), (650, 530))
+    assert page.said() == ["a fired"]
+
+
+def test_a_promise_is_no_answer_whether_an_element_is_enabled(page: IntentPage) -> None:
+    page.make(
+        "window.failed = []; watch(box('goal', 600, 500), { enabled: async () => false,"
+        " onError: ({ message }) => failed.push(message) })"
+    )
+    page.move((40, 40), (650, 530))
+    assert page.said() == []
+    assert page.value("failed") == []
+
+
+def test_an_element_that_says_it_is_disabled_does_not_fire(page: IntentPage) -> None:
+    page.make(
+        "watch(box('prefetch', 600, 500)); watch(box('highlight', 300, 500), { policy: 'highlight' });"
+        "for (const one of [prefetch, highlight]) one.setAttribute('aria-disabled', 'true')"
+    )
+    page.move((40, 40), (650, 530))
+    page.away()
+    page.move((650, 530), (350, 530))
+    page.away()
+    assert page.said() == []

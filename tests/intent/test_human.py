@@ -134,7 +134,8 @@ await hand.click("#cart");
 const told = [];
 const gone = human(new URL(`${address}/gone`));
 for (const one of [() => hand.moveTo("#nothing"), () => gone.moveTo("#cart"), () => human(7),
-  () => human(address, { seed: -1 }), () => human(address, { skill: 2 })])
+  () => human(address, { seed: -1 }), () => human(address, { skill: 2 }),
+  () => human(address, { speed: 1 }), () => human(address, { at: { x: 1 } })])
   told.push(await Promise.resolve().then(one).catch((error) => `${error.name}: ${error.message}`));
 console.log(JSON.stringify(told));
 """
@@ -166,6 +167,10 @@ def test_a_webdriver_is_given_the_whole_movement_as_actions(tmp_path: Path) -> N
     assert told[2].startswith("TypeError: a page of Playwright or Puppeteer is needed")
     assert told[3].startswith("RangeError: seed must be a whole number")
     assert told[4].startswith("RangeError: skill must be a number in [0, 1]")
+    assert told[5:] == [
+        "TypeError: unknown option speed; known: seed, skill, at",
+        'TypeError: at must be a point {x, y}, received {"x":1}',
+    ]
 
 
 EDGE = """import { human } from "./human/index.js";

@@ -145,7 +145,7 @@ def test_links_in_pictures_and_maps_count(page: IntentPage) -> None:
         " src=\"data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='200' height='60'/>\">`);"
         "addEventListener('click', (event) => event.preventDefault());"
         "window.stopAll = prefetchLink(document.querySelectorAll('a, area'), {"
-        " predictor: 'minimum-jerk', threshold: 1 })"
+        " predictor: 'minimum-jerk', threshold: 1, dwell_s: 0 })"
     )
     page.value("frames(10)")
     assert cross(page, 150, 630) == ["/drawn.html", "/west.html"]
@@ -188,7 +188,7 @@ def test_rules_make_room_so_that_every_page_is_asked_for(page: IntentPage) -> No
     page.make(
         "for (let i = 0; i < 60; i += 1)"
         " box(`q${i}`, 10 + 95 * (i % 10), 200 + 60 * Math.floor(i / 10), 60, 40, 'a').href = `/n${i}.html`;"
-        "prefetchLink('a', { predictor: 'minimum-jerk' })"
+        "prefetchLink('a', { predictor: 'minimum-jerk', dwell_s: 0 })"
     )
     for row in range(6):
         page.move((0, 220 + 60 * row), (990, 220 + 60 * row), 1.2)
@@ -213,6 +213,125 @@ def test_a_page_that_the_browser_has_forgotten_is_asked_for_again(page: IntentPa
     page.make("const now = performance.now(); performance.now = () => now + 301000")
     assert cross(page, 650) == ["/next.html"]
     assert page.ledger()["fired"] == 2
+
+
+CHANGING = (
+    "/cart/?remove_item=abc123&_wpnonce=1",
+    "/wp-admin/post.php?post=3&action=trash",
+    "/cart/add/3",
+    "/cart?add=3",
+    "/cart/?add-to-cart=3",
+    "/addtocart?id=3",
+    "/remove_from_cart/3",
+    "/cart/change?line=1&quantity=0",
+    "/page?action=rollback",
+    "/delete_item",
+    "/items/3/delete",
+    "/exit",
+    "/end-session",
+    "/log/out",
+    "/user_logout",
+    "/index.php?route=account/logout",
+)
+KEPT = (
+    "/page?next=/logout",
+    "/page?next=https%3A%2F%2Fa.example%2Flogout",
+    "/knowledge/how-to-log-out",
+    "/docs/delete-a-branch.html",
+    "/blog/removed.html",
+    "/blog/exits.html",
+    "/cart/address",
+    "/cart",
+    "/docs/adding-carts",
+)
+
+
+def judged(page: IntentPage, *links: str) -> list[str]:
+    """Of links in HTML, the addresses that are registered, so that they can be loaded."""
+    page.make(
+        "window.add = (html) => document.body.insertAdjacentHTML('beforeend', html);"
+        "window.taken = []; const seen = [];"
+        f"for (const html of {list(links)!r}) add(html);"
+        "prefetchLink('a', { ignore: (link) => { taken.push(link.getAttribute('href')); return false; } })"
+    )
+    taken: list[str] = page.value("[...new Set(taken)]")
+    return taken
+
+
+def test_addresses_that_change_something_are_left_out(page: IntentPage) -> None:
+    links = [f"<a href='{address}'>a</a>" for address in CHANGING + KEPT]
+    assert judged(page, *links) == list(KEPT)
+
+
+def test_links_that_ask_otherwise_than_by_a_plain_get_are_left_out(page: IntentPage, host: str) -> None:
+    assert judged(
+        page,
+        "<a href='/a' data-method=delete>a</a>",
+        "<a href='/b' data-turbo-method=post>a</a>",
+        f"<a href='{host.replace('http://', 'http://user:pw@')}/c'>a</a>",
+        "<a href='/d' data-turbo-method=get>a</a>",
+    ) == ["/d"]
+
+
+def test_a_link_that_is_crossed_is_not_loaded(page: IntentPage) -> None:
+    page.make(
+        f"{LINK} link('a', 600, '/next.html'); const {{ setTimeout: before }} = window;"
+        "window.setTimeout = (call, ms) => before(call, ms === 65 ? 2000 : ms);"  # the machine may be slow
+        "prefetchLink('a', { predictor: 'minimum-jerk', threshold: 1 })"
+    )
+    page.move((650, 40), (650, 690), 0.3)
+    assert page.value(RULES) == []
+    page.away()
+    page.move((650, 690), (650, 530), 0.3)
+    page.wait("document.querySelector('script[type=speculationrules]') !== null")  # where the pointer stays
+
+
+def test_an_address_that_is_none_is_left_out(page: IntentPage) -> None:
+    page.make(
+        f"{LINK} link('bad', 300, 'http://'); link('good', 600, '/good.html');"
+        "prefetchLink('a', { predictor: 'minimum-jerk', watch: true })"
+    )
+    assert cross(page, 350, 650) == ["/good.html"]
+    assert page.visitor.complaints() == []
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ("{ origins: ['shop.example'] }", "origins .* shop.example"),
+        ("{ origins: 'mailto:a@b.example' }", "origins .* mailto:a@b.example"),
+        ("{ limit: '1' }", "limit must be a number"),
+        ("{ policy: 'highlight' }", "prefetchLink takes no policy"),
+        ("null", "options must be an object, received null"),
+    ],
+)
+def test_options_that_cannot_be_used_are_named(page: IntentPage, options: str, message: str) -> None:
+    with pytest.raises(SourceError, match=message):
+        page.value(f"prefetchLink('a', {options})")
+
+
+def test_an_origin_is_that_of_its_address(page: IntentPage) -> None:
+    page.make(
+        f"{LINK} link('other', 300, 'http://elsewhere.example/a');"
+        "prefetchLink('a', { predictor: 'minimum-jerk', origins: 'HTTP://elsewhere.example/shop/' })"
+    )
+    assert cross(page, 350) == ["http://elsewhere.example/a"]
+
+
+def test_the_target_of_all_links_counts(page: IntentPage) -> None:
+    assert judged(page, "<base target=_blank>", "<a href='/a'>a</a>", "<a href='/b' target=_self>b</a>") == [
+        "/b"
+    ]
+
+
+def test_links_without_an_id_have_the_name_of_their_path(page: IntentPage) -> None:
+    page.make(
+        "document.body.insertAdjacentHTML('beforeend', `<a href='/next.html?page=2'"
+        " style='position:absolute;left:600px;top:500px;width:100px;height:60px'>a</a>`);"
+        "prefetchLink('a', { predictor: 'minimum-jerk' })"
+    )
+    cross(page, 650)
+    assert list(page.ledger()["names"]) == ["/next.html"]
 
 
 def test_without_speculation_rules_a_link_element_asks(page: IntentPage, host: str) -> None:

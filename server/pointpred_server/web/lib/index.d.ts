@@ -53,7 +53,7 @@ export interface IntentOptions {
   hitSlop?: number | Sides;
   /** Weight before the pointer moves; other elements have 1. 0 never fires. */
   priority?: number;
-  /** Its name in the ledger; the element's id by default. */
+  /** Its name in the ledger; the element's id by default, and of a link of `prefetchLink` without one the path of its page. */
   name?: string;
   /**
    * A name of the registry of predictors: `"kinematic-adaptive"` by default; `"minimum-jerk"` and `"switched-direction"` are small.
@@ -105,8 +105,8 @@ export interface Firing {
 /** May return a function, or a promise of one, which is called when the signal of the firing is aborted. */
 export type IntentCallback = (firing: Firing) => unknown;
 
-/** What a directive or an action of a framework takes: a callback, or a callback with options. */
-export type IntentBinding = IntentCallback | (IntentOptions & { callback: IntentCallback });
+/** What a directive or an action of a framework takes: a callback, or a callback with options; with nothing to call the element is not registered. */
+export type IntentBinding = IntentCallback | (IntentOptions & { callback: IntentCallback }) | null | undefined;
 
 /** A registered element. */
 export interface Handle {
@@ -132,7 +132,9 @@ export function onIntent(
 /** Registers an element without a callback, so that its neighbours are predicted by mistake less often. */
 export function register(element: Element, options?: IntentOptions): Handle;
 
-export interface PrefetchLinkOptions extends IntentOptions {
+export interface PrefetchLinkOptions extends Omit<IntentOptions, "policy"> {
+  /** As of `onIntent`, but 0.065 by default: links that the pointer only crosses are not loaded. */
+  dwell_s?: number;
   /** `"prefetch"` (default) or `"prerender"`, where the browser has Speculation Rules. */
   action?: "prefetch" | "prerender";
   /** The address of the page behind an element, which then need not be a link; nothing: none. Its `href` by default. */
@@ -142,20 +144,24 @@ export interface PrefetchLinkOptions extends IntentOptions {
    * `data-no-prefetch`: what a pattern finds in the address, or a function says so of.
    */
   ignore?: LinkFilter | readonly LinkFilter[];
-  /** Other origins whose pages may be loaded, such as `"https://shop.example"`; `"*"`: all. None by default. */
+  /** Other origins whose pages may be loaded, such as `"https://shop.example"`; `"*"`: all. None by default. Of an address its origin counts. */
   origins?: string | readonly string[];
   /** The most pages to load; no limit by default. */
   limit?: number;
   /**
    * The nonce of the page's Content Security Policy, so that Speculation Rules can be used; `""` where the policy allows them by
-   * `'inline-speculation-rules'`. Without it a page with a policy uses `<link rel=prefetch>`.
+   * `'inline-speculation-rules'` or, without nonces and hashes, `'unsafe-inline'`. Without it a page with a policy uses `<link rel=prefetch>`, which needs
+   * pages that may be cached, and a directive that allows their origin.
    */
   nonce?: string;
   /** Also take links that are added later; for a selector. False by default. */
   watch?: boolean;
 }
 
-export type LinkFilter = RegExp | ((element: Element, address: URL) => boolean);
+/** What is ignored; the element is a link unless `href` is given. */
+export type LinkFilter =
+  | RegExp
+  | ((element: HTMLAnchorElement | SVGAElement | HTMLAreaElement, address: URL) => boolean);
 
 /** Loads the pages of links that the user is heading for: of one, of several, or of a selector. Returns what stops it. */
 export function prefetchLink(links: Element | Iterable<Element> | string, options?: PrefetchLinkOptions): () => void;

@@ -10,6 +10,7 @@ import {
   useRef,
   useState,
 } from "react";
+import { isAbort } from "../intent/firing-ledger.js";
 import { Registered } from "./registered.js";
 
 const BEFORE = { predicted: false, fired: false, p: 0, error: null };
@@ -39,7 +40,7 @@ export function useIntentState(callback, options) {
   const [state, setState] = useState(BEFORE);
   const change = (part) => setState((now) => ({ ...now, ...part }));
   const ref = useIntent((firing) => {
-    const fail = (error) => change({ error });
+    const fail = (error) => isAbort(error) || change({ error });
     setState({ predicted: true, fired: true, p: firing.p, error: null });
     firing.signal.addEventListener("abort", () => change({ predicted: false }));
     try {

@@ -9,26 +9,27 @@ const named = (_, value) => (typeof value === "function" ? "a function" : value)
  * @typedef {import("../index.d.ts").IntentOptions} IntentOptions
  */
 
-/** A registered element. Another callback is called from then on; other options register the element again. */
+/** An element, registered as long as there is something to call. Another callback is called from then on; other options register the element again. */
 export class Registered {
   #element;
   #newest;
   #key = "";
   #stop = () => {};
 
-  /** @param {Element} element @param {IntentCallback} callback @param {IntentOptions} [options] of `onIntent` */
+  /** @param {Element} element @param {IntentCallback|null|undefined} callback @param {IntentOptions} [options] of `onIntent` */
   constructor(element, callback, options) {
     this.#element = element;
     this.update(callback, options);
   }
 
-  /** @param {IntentCallback} callback @param {IntentOptions} [options] */
+  /** @param {IntentCallback|null|undefined} callback @param {IntentOptions} [options] */
   update(callback, options = {}) {
     this.#newest = { ...options, callback };
-    const key = JSON.stringify(options, named);
+    const key = callback ? JSON.stringify(options, named) : "";
     if (key === this.#key) return;
     this.stop();
     this.#key = key;
+    if (!callback) return;
     const passed = Object.entries(this.#newest).map(([name, value]) => [
       name,
       typeof value === "function" ? (...about) => this.#newest[name](...about) : value,
@@ -43,11 +44,12 @@ export class Registered {
 }
 
 /**
- * What a directive or an action is given: the callback itself, or the callback with options.
- * @param {import("../index.d.ts").IntentBinding} value @returns {[IntentCallback, IntentOptions?]}
+ * What a directive or an action is given: the callback itself, the callback with options, or nothing to call.
+ * @param {import("../index.d.ts").IntentBinding} value @returns {[(IntentCallback|null)?, IntentOptions?]}
  */
 export function partsOf(value) {
   if (typeof value === "function") return [value];
+  if (!value) return [];
   const { callback, ...options } = value;
   return [callback, options];
 }

@@ -11,10 +11,13 @@ const LAST_SEED = 2 ** 31 - 3;
  * @param {{seed?: number, skill?: number, at?: {x: number, y: number}}} [options]
  * @returns {import("./index.d.ts").Human}
  */
-export function human(browser, { seed = 1, skill = 0.5, at = { x: 0, y: 0 } } = {}) {
+export function human(browser, { seed = 1, skill = 0.5, at = { x: 0, y: 0 }, ...unknown } = {}) {
+  for (const name in unknown) throw new TypeError(`unknown option ${name}; known: seed, skill, at`);
   if (!(Number.isInteger(seed) && seed >= 0 && seed <= LAST_SEED))
     throw new RangeError(`seed must be a whole number in [0, ${LAST_SEED}], received ${seed}`);
   if (!(skill >= 0 && skill <= 1)) throw new RangeError(`skill must be a number in [0, 1], received ${skill}`);
+  if (!(Number.isFinite(at?.x) && Number.isFinite(at.y)))
+    throw new TypeError(`at must be a point {x, y}, received ${JSON.stringify(at)}`);
   const driver = driverOf(browser);
   const hand = new Hand(seed, skill, { x: Math.round(at.x), y: Math.round(at.y) });
 

@@ -4,7 +4,7 @@ import { ARMED } from "../laws/targets/prefetch.js";
 import { CENTRE_X, CENTRE_Y, FIELDS, HEIGHT, WIDTH } from "../laws/targets/rectangles.js";
 
 const COVERED_MS = 250; // how long an answer of the hit test is used
-const UNUSABLE = ":disabled, [inert], [inert] *";
+const UNUSABLE = ":disabled, [inert], [inert] *, [aria-disabled=true]";
 const SEEN = { visibilityProperty: true, opacityProperty: true, contentVisibilityAuto: true };
 
 /** The middle and the length of what is seen of a side, px. */

@@ -25,6 +25,9 @@ export function attempt(call, onError = reportError) {
   }
 }
 
+/** Whether an error only says that something was ended on purpose, such as by the signal of a firing. @param {any} error */
+export const isAbort = (error) => error?.name === "AbortError";
+
 /** Tells of the firings of registered elements, and which of these were used. */
 export class FiringLedger {
   /** Firings that are not used yet, by what they are for. @type {WeakMap<object, Map<About, Cause>>} */

@@ -3,13 +3,13 @@
 /**
  * The options with their defaults. Throws a TypeError for one that is unknown or of another type, a RangeError for a number
  * out of bounds.
- * @param {object|undefined} given undefined values count as not given @param {Object<string, any>} defaults
+ * @param {object|null|undefined} given undefined values count as not given @param {Object<string, any>} defaults
  * @param {Object<string, (string|number)[]>} known what an option may be: one of some words or kinds of values, or a number between two
  * @returns {any}
  */
-export function checked(given = {}, defaults, known) {
+export function checked(given, defaults, known) {
   const options = { ...defaults };
-  for (const [name, value] of Object.entries(given)) {
+  for (const [name, value] of Object.entries(given ?? {})) {
     if (!Object.hasOwn(options, name))
       throw new TypeError(`unknown option ${name}; known: ${Object.keys(options).join(", ")}`);
     if (value !== undefined) options[name] = value;

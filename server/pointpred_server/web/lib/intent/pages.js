@@ -6,6 +6,7 @@ const MOST = { prefetch: 40, prerender: 8, link: 40 }; // at a time: Chromium ta
 const AT_ONCE = 2; // links being loaded; rules are queued by the browser itself
 const LOST_MS = 30000; // after so long a link that tells nothing counts as loaded: the page may have removed it
 const POLICY = "pointpred"; // of Trusted Types
+const RULES = { createScript: (text) => text };
 
 /** @typedef {{address: string, askedAt: number}} Page */
 
@@ -15,8 +16,9 @@ const added = { prefetch: [], prerender: [], link: [] }; // to the head: what as
 /** @type {Page[]} */
 const waiting = [];
 let loading = 0;
+let isRefused = false; // the page's policy does not allow link elements to load
 let policed; // whether the page has a Content Security Policy; undefined while nobody has asked
-let scripts; // what makes the texts of scripts under Trusted Types
+let scripts; // what makes the texts of scripts under Trusted Types; null where the page's policy refuses its name
 
 /** The page at an address, the same object as long as the browser has it. @param {string} address @returns {Page} */
 export function pageOf(address) {
@@ -43,18 +45,20 @@ export function ask(page, action, nonce) {
 }
 
 /** Whether the browser can be asked at all. @param {string|undefined} nonce */
-export const canAsk = (nonce) => document.createElement("link").relList.supports("prefetch") || takesRules(nonce);
+export const canAsk = (nonce) =>
+  (!isRefused && document.createElement("link").relList.supports("prefetch")) || takesRules(nonce);
 
 /** Whether rules may be added; to try would be reported as a violation where they are refused. */
 function takesRules(nonce) {
   if (!globalThis.HTMLScriptElement?.supports?.("speculationrules")) return false;
   if (nonce === undefined) return !hasPolicy();
-  try {
-    scripts ??= globalThis.trustedTypes?.createPolicy(POLICY, { createScript: (text) => text });
-    return true;
-  } catch {
-    return false; // the policy's name is not allowed
-  }
+  if (scripts === undefined)
+    try {
+      scripts = globalThis.trustedTypes?.createPolicy(POLICY, RULES) ?? RULES;
+    } catch {
+      scripts = null; // to try again would be reported again
+    }
+  return scripts !== null;
 }
 
 /** A browser hides a nonce from the page's own code where a policy came with the page's headers. */
@@ -92,16 +96,25 @@ function loadNext() {
   const page = /** @type {Page} */ (waiting.shift()),
     link = document.createElement("link");
   let timer = 0;
+  const refuse = ({ blockedURI, disposition }) => {
+    isRefused ||= blockedURI === page.address && disposition === "enforce"; // each further one would be reported, too
+  };
   const end = () => {
+    document.removeEventListener("securitypolicyviolation", refuse);
     clearTimeout(timer);
     link.onload = link.onerror = null;
     loading -= 1;
     loadNext();
   };
+  document.addEventListener("securitypolicyviolation", refuse);
   loading += 1;
   link.rel = "prefetch";
   link.href = page.address;
-  link.onload = link.onerror = end;
+  link.onload = end;
+  link.onerror = () => {
+    pages.set(page.address, { ...page }); // another page to the ledger: its use is no hit
+    end();
+  };
   timer = setTimeout(end, LOST_MS);
   add("link", page, link);
 }

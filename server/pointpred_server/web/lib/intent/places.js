@@ -4,8 +4,9 @@ import { needDocument } from "../client/document.js";
 import { PointerStream } from "../client/pointer-stream.js";
 import { HIGHEST, LOWEST, USUAL } from "../laws/targets/decision.js";
 import { claimed, isRefused, REMAINING_S } from "../prediction/row.js";
-import { attempt } from "./firing-ledger.js";
+import { attempt, isAbort } from "./firing-ledger.js";
 import { checked } from "./options.js";
+import { canFollow } from "./register.js";
 
 /** @typedef {import("../prediction/chooser.js").PlaceChooser} Chooser */
 
@@ -23,7 +24,9 @@ export const onPlaceWith = (build) =>
   function onPlace(callback, options) {
     needDocument("onPlace");
     if (typeof callback !== "function") throw new TypeError(`onPlace needs a function to call, received ${callback}`);
-    return new Places(build, callback, checked(options, { ...DEFAULTS, page: location.pathname }, KNOWN));
+    const checkedOptions = checked(options, { ...DEFAULTS, page: location.pathname }, KNOWN);
+    if (!canFollow()) return { ready: Promise.resolve(), person: "", forget() {}, stop() {} };
+    return new Places(build, callback, checkedOptions);
   };
 
 /** What the page's store answers; undefined where the browser refuses it: cookies are blocked, or it is full. */
@@ -147,7 +150,10 @@ class Places {
       remaining_s: reason === "predicted" ? claimed(answer[REMAINING_S]) : null,
       signal: end.signal,
     };
-    const cleanup = attempt(() => this.#callback(firing));
+    const cleanup = attempt(
+      () => this.#callback(firing),
+      (error) => isAbort(error) || reportError(error),
+    );
     this.#firings.set(id, { end, cleanup: typeof cleanup === "function" ? cleanup : null });
   }
 

@@ -66,7 +66,8 @@ export const trackers = new Map();
 export const onIntentWith = (offer) =>
   function onIntent(elements, callback, options, subjectOf) {
     needDocument("onIntent");
-    if (typeof callback !== "function") throw new TypeError(`onIntent needs a function to call, received ${callback}`);
+    if (typeof callback !== "function") throw new TypeError(`a function is needed, received ${callback}`);
+    if (!canFollow()) return () => {};
     const handles = begin(offer, listOf(elements), callback, options, subjectOf);
     return () => handles.forEach(({ stop }) => stop());
   };
@@ -79,6 +80,7 @@ export const onIntentWith = (offer) =>
 export const registerWith = (offer) =>
   function register(element, options) {
     needDocument("register");
+    if (!canFollow()) return { element, share: 0, ready: Promise.resolve(), stop() {} };
     return begin(offer, [element], null, options)[0];
   };
 
@@ -88,6 +90,9 @@ export const listOf = (given) =>
 
 /** What an error calls an element. */
 export const named = (one) => (one?.localName ? `<${one.localName}${one.id ? ` id="${one.id}"` : ""}>` : String(one));
+
+/** Whether elements can be followed here: not in documents of jsdom, which tests of components run in. */
+export const canFollow = () => "IntersectionObserver" in window && "reportError" in window;
 
 /** Registers elements, all or none. */
 function begin(offer, elements, callback, given, subjectOf) {
@@ -111,10 +116,8 @@ function begin(offer, elements, callback, given, subjectOf) {
 
 function check(element) {
   const view = element?.ownerDocument?.defaultView;
-  if (view && view !== window)
-    throw new TypeError(`${named(element)} belongs to the document of a frame: load pointpred there, too`);
-  if (!(element instanceof Element))
-    throw new TypeError(`an element of the page is needed, received ${named(element)}`);
+  if (view && view !== window) throw new TypeError(`${named(element)} is in a frame: load pointpred there`);
+  if (!(element instanceof Element)) throw new TypeError(`an element is needed, received ${named(element)}`);
 }
 
 /** The tracker of a predictor; the first registration begins it. @param {import("./source.js").Predictor} predictor */
@@ -144,8 +147,7 @@ function sidesOf(slop) {
   const sides = { ...NO_SLOP };
   const given = Object(slop) === slop ? slop : { top: slop, right: slop, bottom: slop, left: slop };
   for (const [side, px] of Object.entries(given)) {
-    if (!(side in NO_SLOP))
-      throw new TypeError(`unknown side ${side} of hitSlop; known: ${Object.keys(NO_SLOP).join(", ")}`);
+    if (!(side in NO_SLOP)) throw new TypeError(`unknown side ${side} of hitSlop`);
     sides[side] = px ?? 0;
     checkNumber(`hitSlop ${side}`, sides[side], [0, 10000]);
   }

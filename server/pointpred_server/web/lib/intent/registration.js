@@ -3,7 +3,7 @@
 import { attempt, FiringLedger } from "./firing-ledger.js";
 
 const MARKS = ["data-target", "data-predicted"]; // attributes for style sheets
-const SLOW = ["slow-2g", "2g"]; // connections too slow to load anything ahead
+const SLOW = /2g/; // connections too slow to load anything ahead
 
 /**
  * The options of a registration, with their defaults.
@@ -16,9 +16,9 @@ export const ledger = new FiringLedger();
 
 /** Whether nothing shall be loaded ahead: `Save-Data`, a 2G connection, or the media feature `prefers-reduced-data`. */
 function isReduced() {
-  const { saveData = false, effectiveType = "" } =
+  const { saveData, effectiveType = "" } =
     /** @type {{connection?: {saveData?: boolean, effectiveType?: string}} & Navigator} */ (navigator).connection ?? {};
-  return saveData || SLOW.includes(effectiveType) || matchMedia("(prefers-reduced-data: reduce)").matches;
+  return saveData || SLOW.test(effectiveType) || matchMedia("(prefers-reduced-data: reduce)").matches;
 }
 
 /** An element, what is called for it, and the state of that. */
@@ -46,7 +46,7 @@ export class Registration {
 
   /** @param {"prefetch"|"highlight"} policy */
   follows(policy) {
-    return this.#callback !== null && this.options.policy === policy;
+    return this.#callback !== null && this.options.priority > 0 && this.options.policy === policy;
   }
 
   /**
@@ -59,7 +59,9 @@ export class Registration {
     if (this.#withheld && isReduced()) return false;
     if (policy === "prefetch" && this.#firedIn === visit) return false;
     if (once && t - this.#firedAt < again_s) return false;
-    return typeof enabled === "function" ? Boolean(attempt(() => enabled(this.element), this.#fail)) : enabled;
+    /** @type {any} */
+    const answer = typeof enabled === "function" ? attempt(() => enabled(this.element), this.#fail) : enabled;
+    return answer && !answer.then; // a promise is no answer
   }
 
   /**
@@ -140,6 +142,7 @@ export class Registration {
   /** An error of the page's own function. */
   #fail = (error) => {
     const { onError } = this.options;
+    if (error?.name === "AbortError") return; // something was ended on purpose
     if (onError) attempt(() => onError(error, this.firing));
     else reportError(error);
   };
