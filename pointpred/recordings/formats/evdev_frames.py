@@ -8,6 +8,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from pointpred.devices.surface import Place, Surface
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
 from pointpred.recordings.arrow_tables import IntArray
@@ -51,12 +52,37 @@ class UnreadableLines:
 
 
 class Frames(msgspec.Struct):
-    """Pointer events and the number of each one's first raw event; notes and faults as in ``assemble``."""
+    """Pointer events and the number of each one's first raw event; notes and faults as in ``assemble``.
+
+    ``surface``: that of an absolute device, in shares of which the positions are; ``breaks``: the events at
+    which another contact begins.
+    """
 
     events: EventColumns
     rows: IntArray
     faults: dict[int, str]
     notes: list[str]
+    surface: Surface | None = None
+    breaks: IntArray = np.empty(0, dtype=np.int64)
+
+    def in_px(self, reading: Reading) -> tuple[Frames, str]:
+        """The same with the positions of an absolute device in px, and the unit they had."""
+        surface = self.surface
+        if surface is None:
+            return self, "counts"
+        if reading.px_per_unit is None:
+            width, height, words = surface.scale(reading.dpi)
+        else:
+            (across, down), x, y = reading.gain, surface.x, surface.y
+            width, height = across * (x.most - x.least), down * (y.most - y.least)
+            words = f"its own units, {across:g} across and {down:g} px down in a unit"
+        table = self.events.table.copy()
+        table[:, 1:3] *= width, height
+        notes = [*self.notes, f"positions are px of {words}"]
+        if len(self.breaks) > 1:
+            notes.append(f"movements end where a pen or finger is lifted: contacts {len(self.breaks)}")
+        unit = "mm" if surface.size_mm and reading.px_per_unit is None else "units of the device"
+        return msgspec.structs.replace(self, events=EventColumns(table), notes=notes), unit
 
 
 def devices_of_text(
@@ -190,10 +216,29 @@ def frames_of_counts(
     return Frames(events, np.array(rows, dtype=np.int64), faults or {}, notes)
 
 
+def frames_of_places(
+    places: Sequence[tuple[int, Place]],
+    rows: Sequence[int],
+    notes: list[str],
+    surface: Surface,
+    faults: dict[int, str] | None = None,
+) -> Frames:
+    """Frames from times in us and places on a surface."""
+    whole = np.array([(time, *place) for time, place in places], dtype=np.float64)
+    counts = np.full(len(whole), np.nan)
+    seconds = (np.array([time for time, _ in places]) - places[0][0]) / 1e6
+    events = EventColumns(np.column_stack([seconds, whole[:, 1:3], counts, counts, whole[:, 3]]))
+    breaks = np.flatnonzero(whole[:, 4])
+    return Frames(events, np.array(rows, dtype=np.int64), faults or {}, notes, surface, breaks)
+
+
 def _recording(
     path: Path, form: str, device: str, stream: Frames, reading: Reading, clock: str, unit: str
 ) -> Recording:
     """The recording of one device's frames, by default cut into bursts."""
+    absolute = stream.surface is not None
+    if absolute:
+        stream, unit = stream.in_px(reading)
     return trials_of_stream(
         stem_of(path),
         stream.events,
@@ -203,7 +248,7 @@ def _recording(
         provenance=Provenance(
             form,
             unit=unit,
-            origin="where the stream began",
+            origin="top left" if absolute else "where the stream began",
             y_axis="down",
             clock=clock,
             dpi=reading.dpi,
@@ -212,5 +257,6 @@ def _recording(
         condition={"device": device},
         faults=stream.faults,
         row_of=stream.rows,
+        breaks=stream.breaks.tolist(),
         notes=stream.notes,
     )
