@@ -229,6 +229,16 @@ class HidSource(ReaderSource):
         self._device, self.path, self.name, self.plugged = device, device.path, device.name, True
 
     @property
+    def counts(self) -> bool:
+        """Whether it has relative motion; known once open."""
+        return self._reports.counts
+
+    @property
+    def places(self) -> bool:
+        """Whether it tells positions; known once open."""
+        return self._reports.surface is not None
+
+    @property
     def _described(self) -> str:
         return super()._described if self._thread is None else self._device.described
 

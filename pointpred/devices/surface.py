@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -16,8 +17,8 @@ TOUCH_PAD = (
     "it is a touch pad: its positions are those of fingers on the pad, not of the pointer on the screen"
 )
 """Why the positions of a touch pad are refused."""
-MOST_CONTACTS = 256
-"""Contacts that are told apart between two reports of one."""
+MISSED, MOST_CONTACTS = 8, 256
+"""A contact is gone after so many reports of another; so many are told apart between two reports of one."""
 ALWAYS = -1
 """The contact of a device that is always there, as an absolute mouse is: its motion never begins anew."""
 
@@ -58,20 +59,23 @@ class Surface(msgspec.Struct, frozen=True):
         believed = all(SHORTEST_MM <= axis.mm <= LONGEST_MM for axis in (self.x, self.y))
         return (self.x.mm, self.y.mm) if believed else None
 
-    def scale(self, dpi: float, screen: tuple[float, float] | None = None) -> Scale:
+    def scale(self, dpi: float, screen: tuple[float, float] | None = None, *, whole: bool = False) -> Scale:
         """The px of the surface: of its size, else those of a screen, else ``DEFAULT_PX``.
 
+        ``whole``: those of the screen though the size is known.
+
         >>> Surface(Axis(0, 100, 254.0), Axis(0, 100, 127.0)).scale(96.0)
-        Scale(width=960.0, height=480.0, words='its surface of 254 x 127 mm at 96 px per inch')
+        Scale(width=960.0, height=480.0, words='px of the surface, 254 x 127 mm at 96 px per inch')
         """
         if self == OWN_UNITS:
-            return Scale(1.0, 1.0, "its own units, whose range is not known: one unit is one px")
-        if (size := self.size_mm) is not None:
-            words = f"its surface of {size[0]:.4g} x {size[1]:.4g} mm at {dpi:g} px per inch"
+            return Scale(1.0, 1.0, "units of the device taken as px, for their range is not known")
+        if (size := self.size_mm) is not None and not whole:
+            words = f"px of the surface, {size[0]:.4g} x {size[1]:.4g} mm at {dpi:g} px per inch"
             return Scale(size[0] * dpi / MM_PER_INCH, size[1] * dpi / MM_PER_INCH, words)
         width, height = screen or DEFAULT_PX
         which = "the screen's" if screen else "an assumed"
-        words = f"its surface of unknown size drawn over {which} {width:g} x {height:g} px"
+        of = "the surface" if self.size_mm else "a surface of unknown size"
+        words = f"px of {of}, drawn over {which} {width:g} x {height:g} px"
         return Scale(width, height, words)
 
 
@@ -134,14 +138,14 @@ class ContactReports:
     """Places of the reports of an absolute device: one contact is followed until it is lifted.
 
     Buttons on reports of their own are those of the contact where the device has no counts. Other contacts
-    are passed over, in the same report or in others between; the one that is followed is given up when it has
-    no report from one to the next of another.
+    are passed over, in the same report or in others between; the one that is followed is given up when
+    another one was passed over ``MISSED`` times since its last report.
     """
 
     def __init__(self) -> None:
         self._path = ContactPath()
         self._followed = (0, 0)
-        self._passed: set[tuple[int, int]] = set()
+        self._passed: Counter[tuple[int, int]] = Counter()
         self._x = self._y = 0.0
         self._buttons = 0
 
@@ -181,11 +185,12 @@ class ContactReports:
             return False
         own = [place for place, one in enumerate(contacts) if one.number == self._followed[1]]
         filled = [place for place, one in enumerate(contacts) if one.x or one.y]
-        return 0 in own or any(place in filled for place in own) or (len(contacts) > 1 and not filled)
+        nothing = len(contacts) > 1 and not filled and not any(one.number for one in contacts)
+        return 0 in own or any(place in filled for place in own) or nothing
 
     def _again(self, report: int, there: list[ReportContact]) -> list[ReportContact]:
-        """The contact that comes for the second time since the one that is followed: that one is gone."""
-        again = [one for one in there if (report, one.number) in self._passed]
+        """The contact that has come so often since the one that is followed that that one must be gone."""
+        again = [one for one in there if self._passed[report, one.number] >= MISSED]
         if again:
             self._path.lifted()
         elif len(self._passed) < MOST_CONTACTS:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from pointpred.devices.evdev import EVENT, Clock, FrameDecoder
-from pointpred.recordings.formats.evdev_frames import EV_KEY, EV_REL, EV_SYN, SYN_DROPPED, SYN_REPORT
+from pointpred.recordings.formats.evdev_contacts import EV_KEY, EV_REL, EV_SYN
+from pointpred.recordings.formats.evdev_frames import SYN_DROPPED, SYN_REPORT
 
 
 def check(data: bytes) -> str:

@@ -31,7 +31,7 @@ def file(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def recording(file: Path) -> Iterator[LiveRecording]:
-    made = LiveRecording(file, HELLO, WHERE, lambda: "a test's clock")
+    made = LiveRecording(file, HELLO, lambda: WHERE, lambda: "a test's clock")
     yield made
     made.close()
 
@@ -120,7 +120,7 @@ def test_a_deleted_file_ends_the_recording_only(
 
 def test_samples_that_are_named_so_keep_the_name(tmp_path: Path) -> None:
     tmp_path.chmod(0o700)
-    recording = LiveRecording(tmp_path / "desk_samples.csv", HELLO, WHERE, lambda: "a test's clock")
+    recording = LiveRecording(tmp_path / "desk_samples.csv", HELLO, lambda: WHERE, lambda: "a test's clock")
     follow(recording, 1.0)
     assert recording.close()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["desk_predictions.csv", "desk_samples.csv"]

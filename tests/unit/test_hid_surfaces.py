@@ -7,7 +7,7 @@ import random
 import pytest
 
 from pointpred.devices.hid import PositionValues, parse_descriptor, place_of
-from pointpred.devices.surface import ALWAYS, DEFAULT_PX, Axis, ContactReports, Place, Surface
+from pointpred.devices.surface import ALWAYS, DEFAULT_PX, MISSED, Axis, ContactReports, Place, Surface
 from pointpred.errors import RecordingError
 from tests.devices.mice import BUTTONS, Mouse
 from tests.devices.surfaces import KVM, PAD, PEN, REPORTS, TOUCH, TWO_FINGERS, kvm, pen, touch, two_fingers
@@ -73,8 +73,8 @@ def test_a_finger_is_there_while_it_touches_and_others_are_passed_over() -> None
 
 
 def test_a_finger_whose_lifting_was_lost_is_given_up() -> None:
-    told = places(TOUCH, [touch(0, 0, finger=2), *[touch(4095, 0, finger=5)] * 3])
-    assert told == [(0, 0, 1, True), None, (1, 0, 1, True), (1, 0, 1, False)]
+    told = places(TOUCH, [touch(0, 0, finger=2), *[touch(4095, 0, finger=5)] * (MISSED + 2)])
+    assert told == [(0, 0, 1, True), *[None] * MISSED, (1, 0, 1, True), (1, 0, 1, False)]
 
 
 def test_of_two_fingers_in_a_report_the_first_is_followed_wherever_it_stands() -> None:
