@@ -195,6 +195,8 @@ class HidSource(ReaderSource):
         self._wanted = path, vendor, product
         super().__init__(most)
         self._buttons = 0
+        self._contacts = ContactReports()
+        self._places = PlaceReports(OWN_UNITS)
 
     def __enter__(self) -> Self:
         self._check_unused()

@@ -98,9 +98,15 @@ def test_px_are_those_of_a_unit_where_they_are_given(tmp_path: Path, device: Dev
     x, y, *_ = np.array(device.told).T
     np.testing.assert_allclose(recording.events.x, 0.5 * across * x, atol=1e-9)
     np.testing.assert_allclose(recording.events.y, 2.0 * down * y, atol=1e-9)
-    assert any(
-        note == "positions: 0.5 px across and 2 px down in a unit of the device" for note in recording.notes
-    )
+    assert "positions: 0.5 px across and 2 px down in a unit of the device" in recording.notes
+    assert not any("no effect" in note for note in recording.notes)
+
+
+def test_counts_say_that_px_of_a_unit_have_no_effect(tmp_path: Path) -> None:
+    moves = [f"E: 6.0{at}0000 0002 0000 {2 + at}\nE: 6.0{at}0000 0000 0000 0" for at in range(3)]
+    recording = one(text_file(tmp_path / "log", "\n".join(["N: mouse", *moves])), Reading(px_per_unit=2.0))
+    assert recording.events.dx.tolist() == [2, 3, 4]
+    assert "px_per_unit has no effect: mouse moves by counts" in recording.notes
 
 
 def hid_log(device: surfaces.Mouse, reports: list[bytes]) -> str:
@@ -258,7 +264,10 @@ mark = st.tuples(st.just(SYN), st.sampled_from([MT_REPORT, DROPPED]), st.just(0)
 @given(st.lists(st.lists(axis | axis | key | mark, max_size=6), max_size=12))
 def test_the_decoder_of_a_node_tells_the_places_of_the_importer(frames: list[Frame]) -> None:
     events = [event for frame in frames for event in [*frame, (SYN, REPORT, 0)]]
-    builder, decoder = FrameBuilder(Path("made"), UNIT), FrameDecoder(contacts=EvdevContacts(UNIT))
+    builder, decoder = (
+        FrameBuilder(Path("made"), UNIT),
+        FrameDecoder(ask=lambda: 0, contacts=EvdevContacts(UNIT)),
+    )
     for at, event in enumerate(events):
         builder.add(at, (at, *event))
     data = b"".join(EVENT.pack(0, at, *event) for at, event in enumerate(events))

@@ -129,7 +129,10 @@ def test_a_touch_screen_of_android_has_its_units_as_px_without_a_description(tmp
     assert recording.events.x.tolist() == [100 + at for at in range(9)]
     assert set(recording.events.y) == {200.0}
     assert set(recording.events.buttons) == {1}
-    assert "positions: units of the device taken as px, for their range is not known" in recording.notes
+    said = (
+        "positions: units of the device taken as px, for their range is not known; --px-per-unit says another"
+    )
+    assert said in recording.notes
     with pytest.raises(RecordingError, match="no motion in 9 events, expected X and Y of a contact"):
         one(lines_file(tmp_path / "cut.txt", *lines[1::5]))
 

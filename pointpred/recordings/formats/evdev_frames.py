@@ -88,6 +88,7 @@ class Frames(msgspec.Struct):
             return self, "counts"
         if reading.px_per_unit is None:
             width, height, words = surface.scale(reading.dpi)
+            words += "" if surface.size_mm else "; --px-per-unit says another"
         else:
             (across, down), x, y = reading.gain, surface.x, surface.y
             width, height = across * (x.most - x.least), down * (y.most - y.least)
@@ -292,6 +293,8 @@ def _recording(
     absolute = stream.surface is not None
     if absolute:
         stream, unit = stream.in_px(reading)
+    elif reading.px_per_unit is not None and unit == "counts":
+        stream.notes.append(f"px_per_unit has no effect: {device} moves by counts")
     return trials_of_stream(
         stem_of(path),
         stream.events,
