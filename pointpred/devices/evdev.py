@@ -161,7 +161,7 @@ class FrameDecoder:
     >>> decoder = FrameDecoder()
     >>> left = EVENT.pack(5, 250000, EV_REL, REL_X, -3) + EVENT.pack(5, 250000, EV_SYN, SYN_REPORT, 0)
     >>> decoder.feed(left[:30]), decoder.feed(left[30:])
-    ([], [EvdevFrame(stamp_us=5250000, dx=-3, dy=0, buttons=0, wheel=0.0, pan=0.0)])
+    ([], [EvdevFrame(stamp_us=5250000, dx=-3, dy=0, buttons=0, wheel=0.0, pan=0.0, place=None)])
     """
 
     def __init__(
