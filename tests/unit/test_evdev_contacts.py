@@ -47,6 +47,7 @@ from tests.devices.contacts import (
     getevent,
     libinput,
 )
+from tests.devices.mice import BUTTONS
 
 DROPPED, MT_REPORT = 3, 2
 LOGS: list[Callable[[Device], str]] = [evemu, evtest, libinput, getevent]
@@ -144,6 +145,20 @@ def test_hid_recorder_has_the_places_of_a_tablet_a_touch_screen_and_a_kvm_mouse(
     )
     np.testing.assert_allclose(recording.events.y, np.arange(4) / 32767 * 1080)
     assert recording.provenance.origin == "top left"
+
+
+def test_a_device_of_hid_recorder_that_moves_by_counts_is_a_mouse(tmp_path: Path) -> None:
+    mouse = BUTTONS.descriptor.replace(b"\x09\x01\xa1\x00", b"\x85\x02\x09\x01\xa1\x00")
+    both = surfaces.Mouse("receiver", mouse + surfaces.PEN.descriptor)
+    places = [surfaces.pen(100 * at, 0) for at in range(3)]
+    recording = one(text_file(tmp_path / "pen", hid_log(both, places)))
+    assert recording.provenance.unit == "mm"
+    recording = one(
+        text_file(tmp_path / "both", hid_log(both, [*places, bytes([2, 0, 5, 1]), bytes([2, 0, 1, 1])]))
+    )
+    assert recording.provenance.unit == "counts"
+    assert recording.events.dx.tolist() == [5, 1]
+    assert "positions of a device that moves by counts left aside: 3" in recording.notes
 
 
 def test_pauses_cut_a_contact_and_clicks_do_not_join_two(tmp_path: Path) -> None:

@@ -110,6 +110,18 @@ def test_a_mouse_beside_a_pen_has_counts_in_its_own_reports() -> None:
     assert values.contacts == ((0, 1.0, 0.0, True, 0),)
 
 
+def test_buttons_on_reports_of_their_own_are_those_of_the_place() -> None:
+    split = Mouse(
+        "split",
+        bytes.fromhex(
+            "05010902a1018501050919012903150025017501950381029505 8103"
+            "8502050109300931150026ff0f751095028102c0"
+        ),
+    )
+    told = places(split, [b"\x01\x01", b"\x02\xff\x0f\x00\x00", b"\x01\x04", b"\x02\x00\x00\xff\x0f"])
+    assert told == [None, (1, 0, 1, False), (1, 0, 4, False), (0, 1, 4, False)]
+
+
 def test_values_beyond_a_bounded_range_say_that_nothing_is_there() -> None:
     bounded = PEN.descriptor.replace(bytes.fromhex("26ff7f8102"), bytes.fromhex("26ff7f8142"))
     assert places(PEN, [pen(40000, 0)])[0] is not None
