@@ -33,7 +33,9 @@ from pointpred.recordings.formats.evdev_contacts import (
     EV_KEY,
     EV_REL,
     EV_SYN,
+    INPUT_PROP_DIRECT,
     MICE,
+    NO_POINTER,
     REL_X,
     REL_Y,
     EvdevAbout,
@@ -286,7 +288,10 @@ class Node(msgspec.Struct, frozen=True):
     @property
     def refusal(self) -> str | None:
         """Why its places are not those of a pointer; ``None`` where they are, or where it has counts."""
-        return self.about.refusal if self.relative is False else None
+        if self.relative is not False:
+            return None
+        keyless = not self.about.keys and INPUT_PROP_DIRECT not in self.about.properties  # a sensor
+        return NO_POINTER if keyless else self.about.refusal
 
 
 def nodes() -> list[Node]:

@@ -37,6 +37,7 @@ class Mouse(msgspec.Struct, frozen=True):
 
 
 PLAIN = Mouse("Plain Mouse", "0003 046d c077 0111", {0: 7, 1: 0x70000 << 256, 2: 0x103})
+ACCELEROMETER = Mouse("Some Accelerometer", "0019 0000 0000 0000", {0: 9, 3: 0x7}, 1 << 6)
 KEYBOARD = Mouse("Some Keyboard", "0011 0001 0001 ab41", {0: 3, 1: 0xFFFFFFFE})
 TOUCHPAD = Mouse("Some Touchpad", "0011 0002 0007 01b1", {0: 11, 1: 0x420 << 320, 3: 0x3})
 

@@ -11,7 +11,7 @@ from pointpred.devices import evdev
 from pointpred.devices.evdev import EvdevSource
 from pointpred.errors import SourceError
 from tests.devices import evdev_mice
-from tests.devices.evdev_mice import KEYBOARD, PLAIN, TOUCHPAD, Reader, plug
+from tests.devices.evdev_mice import ACCELEROMETER, KEYBOARD, PLAIN, TOUCHPAD, Reader, plug
 from tests.devices.umockdev import Testbed
 
 
@@ -41,6 +41,7 @@ def test_a_keyboard_and_a_missing_node_say_what_to_do(testbed: Testbed) -> None:
     for node, said in (
         (plug(testbed, 5, KEYBOARD), "it sends no motion"),
         (plug(testbed, 6, TOUCHPAD), "it is a touch pad"),
+        (plug(testbed, 7, ACCELEROMETER), "are not a pointer's"),
         ("/dev/input/event99", "plug the device in"),
     ):
         with Reader(testbed, node) as reader:

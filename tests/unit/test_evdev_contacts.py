@@ -233,6 +233,7 @@ def test_lost_events_end_a_contact_and_make_its_trial_unusable(tmp_path: Path) -
         ([TOUCH, FINGER, PEN], False, None),
         ([LEFT], False, None),
         ([], True, None),
+        ([], False, "its absolute positions are not a pointer's"),
     ],
 )
 @pytest.mark.parametrize("log", LOGS[:3])

@@ -75,7 +75,7 @@ class EvdevAbout(msgspec.Struct):
 
         As udev tells touch pads, tablets, touch screens and absolute mice apart.
         """
-        if not self.keys:
+        if not self.keys and not self.ranges:
             return None
         direct = INPUT_PROP_DIRECT in self.properties
         if BTN_TOOL_FINGER in self.keys and BTN_TOOL_PEN not in self.keys and not direct:
