@@ -14,7 +14,7 @@ from pointpred.cli.output_files import AsJson, print_json
 from pointpred.clock import now
 from pointpred.console import counted, plain, remark, results, table
 from pointpred.devices.screen_cursor import CursorSource
-from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, Report
+from pointpred.devices.source import BUTTON_NAMES, DeviceInfo, DeviceSource, PlaceReport, Report
 from pointpred.errors import SourceError
 from pointpred.live.session import ReportRate
 
@@ -166,6 +166,8 @@ class DeviceWatch:
         self.reports += len(reports)
         self._pace.add(now(), len(reports))
         for report in reports:
+            if isinstance(report, PlaceReport):
+                self._unit = "units"
             self.x += report.dx
             self.y += report.dy
             self.wheel += report.wheel

@@ -12,7 +12,8 @@ from collections.abc import Callable, Sequence
 from math import hypot
 from typing import Literal, Protocol
 
-from pointpred.devices.source import MOST_WAITING, Report
+from pointpred.devices.source import MOST_WAITING, PlaceReport, Report
+from pointpred.devices.surface import Scale, Surface
 from pointpred.errors import EventError, ParameterError
 from pointpred.records import PointerEvent
 from pointpred.transfer import PixelTransfer, TransferFunction
@@ -126,6 +127,69 @@ class PositionPath:
     def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
         """The event of each report."""
         return [report.event for report in reports if isinstance(report, PositionReport)]
+
+
+class PlaceEvent(PointerEvent, frozen=True, kw_only=True):
+    """An event of an absolute device; ``begins``: it is the first of a contact, which begins a movement."""
+
+    begins: bool = False
+
+
+class SurfacePath:
+    """Places of absolute devices in px; the reports of others go to the path ``counts``, if there is one.
+
+    The px of a surface are those of its size at ``dpi``; where that is not known, or ``whole``, its range is
+    drawn over ``screen`` (width, height), else over 1920 x 1080 px. ``words`` are those of the newest report.
+
+    >>> from pointpred.devices.source import PlaceReports
+    >>> from pointpred.devices.surface import Axis, Place
+    >>> reports = PlaceReports(Surface(Axis(0, 99, 254.0), Axis(0, 99, 254.0)))
+    >>> SurfacePath(dpi=96.0).events([reports.report(0.5, Place(0.5, 0.25, 1, True))])
+    [PlaceEvent(t=0.5, x=480.0, y=240.0, dx=None, dy=None, buttons=1, begins=True)]
+    """
+
+    def __init__(
+        self,
+        counts: CursorPath | None = None,
+        *,
+        dpi: float = 96.0,
+        screen: tuple[float, float] | None = None,
+        whole: bool = False,
+    ) -> None:
+        self.counts = counts
+        self._dpi, self._screen, self._whole = dpi, screen, whole
+        self._surface: Surface | None = None
+        self._scale = Scale(1.0, 1.0, "")
+
+    @property
+    def space(self) -> Space:
+        """What the positions are."""
+        return "screen" if self.counts is None or self._surface is not None else self.counts.space
+
+    @property
+    def words(self) -> str:
+        """The same for people."""
+        if self._surface is not None:
+            return f"the device's own, {self._scale.words}"
+        return "the device's own" if self.counts is None else self.counts.words
+
+    def events(self, reports: Sequence[Report]) -> list[PointerEvent]:
+        """An event for each place, and what the other path makes of the other reports."""
+        places = [report for report in reports if isinstance(report, PlaceReport)]
+        others = [report for report in reports if not isinstance(report, PlaceReport)]
+        if others:
+            self._surface = None
+        events: list[PointerEvent] = []
+        if self.counts is not None and self._surface is None and (others or not places):
+            events += self.counts.events(others)
+        for report in places:
+            if report.surface is not self._surface:
+                self._surface = report.surface
+                self._scale = report.surface.scale(self._dpi, self._screen, whole=self._whole)
+            x, y, buttons, begins = report.place
+            x, y = x * self._scale.width, y * self._scale.height
+            events.append(PlaceEvent(report.t, x, y, buttons=buttons, begins=begins))
+        return sorted(events, key=lambda event: event.t) if places and others else events
 
 
 class ReadableCursor(Protocol):

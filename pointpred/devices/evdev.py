@@ -20,16 +20,30 @@ from typing import Self
 
 import msgspec
 
-from pointpred.devices.source import MOST_WAITING, DeviceInfo, ReaderSource, Report
+from pointpred.devices.source import MOST_WAITING, DeviceInfo, PlaceReports, ReaderSource, Report
+from pointpred.devices.surface import OWN_UNITS, Place
 from pointpred.devices.udev import permission_advice
 from pointpred.errors import SourceError
-from pointpred.recordings.formats.evdev_frames import (
-    BUTTONS,
+from pointpred.recordings.formats.evdev_contacts import (
+    ABS_MT_POSITION_X,
+    ABS_MT_POSITION_Y,
+    ABS_X,
+    ABS_Y,
+    BTN_TOOL_PEN,
     EV_KEY,
     EV_REL,
     EV_SYN,
+    INPUT_PROP_DIRECT,
+    MICE,
+    NO_POINTER,
     REL_X,
     REL_Y,
+    EvdevAbout,
+    EvdevContacts,
+    bits_of,
+)
+from pointpred.recordings.formats.evdev_frames import (
+    BUTTONS,
     SYN_DROPPED,
     SYN_REPORT,
 )
@@ -53,12 +67,14 @@ STEP = 120.0
 EV_MOST, MICROS = 0x1F, 1_000_000
 
 NODES, CLASS = Path("/dev/input"), Path("/sys/class/input")
-BOTH = 1 << REL_X | 1 << REL_Y
 BROWSER = "open the live page in a browser instead: it sends the pointer's motion to 'pointpred serve'"
 
 EVIOCGKEY = 0x80604518
 """_IOC(read, 'E', 0x18, 96): the keys pressed, a bit each."""
 KEY_BYTES = 96
+EVIOCGABS = 0x80184540
+"""_IOC(read, 'E', 0x40 + axis, 24): value, least, most, fuzz, flat, units in a mm."""
+ABSINFO = struct.Struct("@6i")
 AT_ONCE = 256 * EVENT.size
 WATCH_S = 0.25
 """How often a node is looked for: one that is gone, or one that should come back."""
@@ -128,6 +144,7 @@ class EvdevFrame(msgspec.Struct, frozen=True, gc=False):
     buttons: int
     wheel: float
     pan: float
+    place: Place | None = None
 
 
 class FrameDecoder:
@@ -138,18 +155,24 @@ class FrameDecoder:
     and the buttons are asked for anew.
 
     Parameters: ``buttons`` pressed at the beginning; ``ask`` the buttons pressed now, ``None`` where they
-    cannot be told (those known then stand). Memory: one unfinished frame and less than one record.
+    cannot be told (those known then stand); ``contacts`` of an absolute device, whose frames have places.
+    Memory: one unfinished frame and less than one record.
     Counts ``resynchronised`` recoveries, ``unreadable`` records that cannot be events (their frame is void),
     and frames left ``aside`` without pointer events (a key of the keyboard).
 
     >>> decoder = FrameDecoder()
     >>> left = EVENT.pack(5, 250000, EV_REL, REL_X, -3) + EVENT.pack(5, 250000, EV_SYN, SYN_REPORT, 0)
     >>> decoder.feed(left[:30]), decoder.feed(left[30:])
-    ([], [EvdevFrame(stamp_us=5250000, dx=-3, dy=0, buttons=0, wheel=0.0, pan=0.0)])
+    ([], [EvdevFrame(stamp_us=5250000, dx=-3, dy=0, buttons=0, wheel=0.0, pan=0.0, place=None)])
     """
 
-    def __init__(self, buttons: int = 0, ask: Callable[[], int | None] = lambda: None) -> None:
-        self.buttons, self._ask = buttons, ask
+    def __init__(
+        self,
+        buttons: int = 0,
+        ask: Callable[[], int | None] = lambda: None,
+        contacts: EvdevContacts | None = None,
+    ) -> None:
+        self.buttons, self._ask, self._contacts = buttons, ask, contacts
         self.resynchronised = self.unreadable = self.aside = 0
         self._rest = b""
         self._begin()
@@ -181,6 +204,8 @@ class FrameDecoder:
 
     def _take(self, kind: int, code: int, value: int) -> None:
         """One event within a frame."""
+        if self._contacts is not None:
+            self._contacts.take(kind, code, value)
         if kind == EV_KEY and code in BUTTONS:
             bit = BUTTONS[code]
             self.buttons = self.buttons | bit if value else self.buttons & ~bit
@@ -207,16 +232,26 @@ class FrameDecoder:
             self.resynchronised += 1
             asked = self._ask()
             self.buttons = self.buttons if asked is None else asked
-            frame = EvdevFrame(stamp_us, 0, 0, self.buttons, 0.0, 0.0)
+            place = self._contacts.lost() if self._contacts is not None else None
+            frame = EvdevFrame(stamp_us, 0, 0, self.buttons, 0.0, 0.0, place)
+        elif self._contacts is not None and not self._void:
+            wheel, pan = self._turned()
+            place = self._contacts.end(self.buttons, wheel != 0.0 or pan != 0.0)
+            if place is not None:
+                frame = EvdevFrame(stamp_us, 0, 0, place.buttons, wheel, pan, place)
+            else:
+                self.aside += 1
         elif self._useful and not self._void:
-            # A whole step beside high-resolution ones of its axis would count twice.
-            wheel = self._parts / STEP if self._parts else float(self._steps)
-            pan = self._sideways_parts / STEP if self._sideways_parts else float(self._sideways)
-            frame = EvdevFrame(stamp_us, self._dx, self._dy, self.buttons, wheel, pan)
+            frame = EvdevFrame(stamp_us, self._dx, self._dy, self.buttons, *self._turned())
         elif not self._void:
             self.aside += 1
         self._begin()
         return frame
+
+    def _turned(self) -> tuple[float, float]:
+        """Steps of both wheels; a whole step beside high-resolution ones of its axis would count twice."""
+        wheel = self._parts / STEP if self._parts else float(self._steps)
+        return wheel, self._sideways_parts / STEP if self._sideways_parts else float(self._sideways)
 
 
 RELATIVE = frozenset({REL_X, REL_Y, REL_HWHEEL, REL_WHEEL, REL_WHEEL_HI_RES, REL_HWHEEL_HI_RES})
@@ -239,6 +274,7 @@ class Node(msgspec.Struct, frozen=True):
     """An input node and what makes it the same device when it comes back (``identity``).
 
     ``relative`` and ``absolute``: whether it moves by counts or tells places; ``None`` where sysfs is silent.
+    ``about``: its keys and properties; its ranges are told by the node alone.
     """
 
     path: str
@@ -247,6 +283,15 @@ class Node(msgspec.Struct, frozen=True):
     vendor: str
     relative: bool | None
     absolute: bool | None
+    about: EvdevAbout = msgspec.field(default_factory=EvdevAbout)
+
+    @property
+    def refusal(self) -> str | None:
+        """Why its places are not those of a pointer; ``None`` where they are, or where it has counts."""
+        if self.relative is not False:
+            return None
+        keyless = not self.about.keys and INPUT_PROP_DIRECT not in self.about.properties  # a sensor
+        return NO_POINTER if keyless else self.about.refusal
 
 
 def nodes() -> list[Node]:
@@ -270,8 +315,12 @@ def node(path: str) -> Node:
         name or Path(path).name,
         (name, *ids),
         ids[1],
-        _has_both(_line(device / "capabilities/rel")),
-        _has_both(_line(device / "capabilities/abs")),
+        _has(_line(device / "capabilities/rel"), (REL_X, REL_Y)),
+        _has(_line(device / "capabilities/abs"), (ABS_X, ABS_Y), (ABS_MT_POSITION_X, ABS_MT_POSITION_Y)),
+        EvdevAbout(
+            keys=set(_codes(_line(device / "capabilities/key")) or ()),
+            properties=set(_codes(_line(device / "properties")) or ()),
+        ),
     )
 
 
@@ -285,9 +334,8 @@ def list_evdev() -> list[DeviceInfo]:
 
 def device_info(each: Node) -> DeviceInfo:
     """One node, tried."""
-    if each.relative is False:
-        why = "it tells absolute positions (a touchpad, tablet or touch screen), no counts"
-        return DeviceInfo(each.path, each.name, "evdev", False, why, f"{BROWSER}.")
+    if (refusal := each.refusal) is not None:
+        return DeviceInfo(each.path, each.name, "evdev", False, refusal, f"{BROWSER}.")
     try:
         os.close(open_node(each.path))
     except OSError as error:
@@ -307,7 +355,10 @@ def open_node(path: str) -> int:
 def rule(each: Node) -> str:
     """The udev rule that gives the user at the screen access to this device."""
     vendor = f', ATTRS{{id/vendor}}=="{each.vendor}"' if each.vendor else ""
-    return f'KERNEL=="event*", SUBSYSTEM=="input"{vendor}, ENV{{ID_INPUT_MOUSE}}=="1", TAG+="uaccess"'
+    keys = each.about.keys if each.relative is False else set()
+    kind = "TABLET" if BTN_TOOL_PEN in keys else "MOUSE" if keys & MICE else "TOUCHSCREEN"
+    which = f"ENV{{ID_INPUT_{kind if keys else 'MOUSE'}}}"
+    return f'KERNEL=="event*", SUBSYSTEM=="input"{vendor}, {which}=="1", TAG+="uaccess"'
 
 
 def advice(each: Node, error: OSError) -> str:
@@ -329,10 +380,9 @@ def check_node(path: str) -> Node:
             f"{path}: no node of input events, expected /dev/input/event* as in 'pointpred devices list'."
         )
     if each.relative is False:
-        raise SourceError(
-            f"{path} ({each.name}): it sends no relative motion, expected REL_X and REL_Y; choose another of "
-            "'pointpred devices list'."
-        )
+        why = each.refusal if each.absolute else "it sends no motion, expected X and Y, relative or absolute"
+        if why is not None:
+            raise SourceError(f"{path} ({each.name}): {why}; choose another of 'pointpred devices list'.")
     return each
 
 
@@ -348,20 +398,28 @@ def _line(path: Path) -> str:
         return ""
 
 
-def _has_both(words: str) -> bool | None:
-    """Whether a bitmap, hexadecimal words with the lowest last, has both bits 0 and 1."""
+def _codes(words: str) -> list[int] | None:
+    """The codes of a bitmap as sysfs writes it: hexadecimal words of a long, the lowest last."""
+    long = 8 * struct.calcsize("@l")
     try:
-        return int(words.split()[-1], 16) & BOTH == BOTH
-    except (IndexError, ValueError):
+        return bits_of(0, int("".join(word.zfill(long // 4) for word in words.split()), 16))
+    except ValueError:
         return None
 
 
-class EvdevSource(ReaderSource):
-    """Reports of one input node, stamped by the kernel; the desktop keeps its mouse.
+def _has(words: str, *pairs: tuple[int, int]) -> bool | None:
+    """Whether a bitmap has both codes of one of the pairs; ``None`` where there is no bitmap."""
+    codes = _codes(words)
+    return None if codes is None else any({*pair} <= {*codes} for pair in pairs)
 
-    Assumes Linux. Motion that the kernel dropped (SYN_DROPPED) is lost: it is counted in ``resynchronised``
-    and nothing is made up for it. The same device is known again by its name, numbers and serial; two alike
-    without a serial are told apart by which one stayed.
+
+class EvdevSource(ReaderSource):
+    """Reports of one input node, stamped by the kernel; the desktop keeps its device.
+
+    Assumes Linux. A node without relative motion tells the places of its contacts or its pointer. Motion that
+    the kernel dropped (SYN_DROPPED) is lost: it is counted in ``resynchronised`` and nothing is made up for
+    it. The same device is known again by its name, numbers and serial; two alike without a serial are told
+    apart by which one stayed.
 
     Parameters: ``path`` such as ``/dev/input/event5``; ``most`` reports wait, then the oldest goes first.
     Memory: the queue. Entering raises SourceError with what to do next; so does ``take`` before entering.
@@ -372,6 +430,8 @@ class EvdevSource(ReaderSource):
         super().__init__(most)
         self._clock = Clock()
         self._decoder = FrameDecoder()
+        self._contacts: EvdevContacts | None = None
+        self._places = PlaceReports(OWN_UNITS)
         self._file, self._stop, self._real = -1, -1, path
         self._unreadable = self._resynchronised = 0  # of devices that were here before
 
@@ -392,6 +452,16 @@ class EvdevSource(ReaderSource):
     def clock(self) -> str:
         """Which clock the kernel stamps with."""
         return self._clock.words
+
+    @property
+    def counts(self) -> bool:
+        """Whether it has relative motion; known once open."""
+        return not self.places
+
+    @property
+    def places(self) -> bool:
+        """Whether it tells positions; known once open."""
+        return self._contacts is not None
 
     @property
     def unreadable(self) -> int:
@@ -424,15 +494,36 @@ class EvdevSource(ReaderSource):
         self.path, self._real = path, os.path.realpath(path)
         self._clock.ask(self._file)
         self._unreadable, self._resynchronised = self.unreadable, self.resynchronised
-        self._decoder = FrameDecoder(self._pressed() or 0, self._pressed)
+        absolute = self._node.relative is False and self._node.absolute is True
+        self._contacts = self._ask_contacts() if absolute else None
+        self._decoder = FrameDecoder(self._pressed() or 0, self._pressed, self._contacts)
         self.plugged = True
+
+    def _ask_contacts(self) -> EvdevContacts:
+        """Contacts on the surface whose ranges the kernel tells, with the pointer's place now."""
+        about = self._node.about
+        values: dict[int, int] = {}
+        for axis in (ABS_X, ABS_Y, ABS_MT_POSITION_X, ABS_MT_POSITION_Y):
+            if (absinfo := self._ask(EVIOCGABS + axis, ABSINFO.size)) is not None:
+                values[axis], least, most, _, _, resolution = ABSINFO.unpack(absinfo)
+                about.add_range(axis, least, most, resolution)
+        contacts = EvdevContacts(about)
+        keys = self._ask(EVIOCGKEY, KEY_BYTES) or b""
+        contacts.set_pointer(values.get(ABS_X), values.get(ABS_Y), bits_of(0, int.from_bytes(keys, "little")))
+        self._places = PlaceReports(about.surface)
+        return contacts
 
     def _pressed(self) -> int | None:
         """The buttons pressed now; ``None`` where the kernel does not say."""
+        keys = self._ask(EVIOCGKEY, KEY_BYTES)
+        return None if keys is None else pressed(keys)
+
+    def _ask(self, request: int, size: int) -> bytes | None:
+        """The kernel's answer to a request, ``None`` where it has none."""
         import fcntl
 
         try:
-            return pressed(fcntl.ioctl(self._file, EVIOCGKEY, bytes(KEY_BYTES)))
+            return fcntl.ioctl(self._file, request, bytes(size))
         except OSError:
             return None
 
@@ -470,6 +561,10 @@ class EvdevSource(ReaderSource):
         """Queue what was read at ``now``."""
         for frame in frames:
             t = self._clock.seconds(frame.stamp_us, now)
+            if self._contacts is not None:
+                if frame.place is not None:
+                    self._queue.put(self._places.report(t, frame.place, frame.wheel, frame.pan))
+                continue
             self._queue.put(Report(t, frame.dx, frame.dy, frame.buttons, frame.wheel, frame.pan))
 
     def _unplug(self, now: float) -> None:
@@ -481,7 +576,10 @@ class EvdevSource(ReaderSource):
         self._twins = self._alike() - {self._real}
         os.close(self._file)
         self.plugged = False
-        if self._decoder.buttons:
+        if self._contacts is not None:
+            if (place := self._contacts.lost()) is not None:
+                self._queue.put(self._places.report(max(now, self._clock.last), place))
+        elif self._decoder.buttons:
             self._queue.put(Report(max(now, self._clock.last), 0, 0))
 
     def _alike(self) -> set[str]:

@@ -14,8 +14,9 @@ from typing import Any, Self
 
 import msgspec
 
-from pointpred.devices.hid import ReportDecoder, parse_descriptor
-from pointpred.devices.source import BROWSER, MOST_WAITING, DeviceInfo, ReaderSource, Report
+from pointpred.devices.hid import PositionValues, ReportDecoder, parse_descriptor, place_of
+from pointpred.devices.source import BROWSER, MOST_WAITING, DeviceInfo, PlaceReports, ReaderSource, Report
+from pointpred.devices.surface import OWN_UNITS, ContactReports
 from pointpred.devices.udev import hid_rule, permission_advice
 from pointpred.errors import RecordingError, SourceError
 from pointpred.extras import install_command
@@ -165,14 +166,14 @@ def wanted_device(path: str | None, vendor: int | None, product: int | None) -> 
 
 
 class HidSource(ReaderSource):
-    """Reports of one HID mouse, stamped at the read by a thread of its own.
+    """Reports of one HID mouse, pen or touch screen, stamped at the read by a thread of its own.
 
-    Assumes Linux, and a mouse whose report descriptor has relative x or y. hidraw has no times: a stamp is as
-    late as the scheduler and Python's lock let the thread run. The kernel holds 64 reports (8 ms of the
-    fastest mice) and drops later ones uncounted: a process that computes for long beside this thread may
-    lose some. Wheels count the device's own steps: where the kernel has switched a resolution multiplier on,
-    a notch is several. Of two alike without serial numbers, the one that stays is not taken for the other;
-    where both are pulled out, the first to come back is.
+    Assumes Linux, and a report descriptor with relative x or y, or with a pointer's absolute ones. hidraw has
+    no times: a stamp is as late as the scheduler and Python's lock let the thread run. The kernel holds 64
+    reports (8 ms of the fastest mice) and drops later ones uncounted: a process that computes for long beside
+    this thread may lose some. Wheels count the device's own steps: where the kernel has switched a resolution
+    multiplier on, a notch is several. Of two alike without serial numbers, the one that stays is not taken
+    for the other; where both are pulled out, the first to come back is.
 
     Parameters: ``path`` such as ``/dev/hidraw2``; or ``vendor`` and ``product`` numbers; or neither: the
     first mouse that may be opened. At most ``most`` reports wait, then the oldest goes first.
@@ -194,6 +195,8 @@ class HidSource(ReaderSource):
         self._wanted = path, vendor, product
         super().__init__(most)
         self._buttons = 0
+        self._contacts = ContactReports()
+        self._places = PlaceReports(OWN_UNITS)
 
     def __enter__(self) -> Self:
         self._check_unused()
@@ -223,7 +226,19 @@ class HidSource(ReaderSource):
                 "makes of it"
             ) from error
         self._handle = handle
+        self._contacts = ContactReports()
+        self._places = PlaceReports(self._reports.surface or OWN_UNITS)
         self._device, self.path, self.name, self.plugged = device, device.path, device.name, True
+
+    @property
+    def counts(self) -> bool:
+        """Whether it has relative motion; known once open."""
+        return self._reports.counts
+
+    @property
+    def places(self) -> bool:
+        """Whether it tells positions; known once open."""
+        return self._reports.surface is not None
 
     @property
     def _described(self) -> str:
@@ -257,7 +272,13 @@ class HidSource(ReaderSource):
         except RecordingError:
             self.unreadable += 1
             return
-        if decoded is not None:
+        if decoded is None:
+            return
+        if isinstance(decoded, PositionValues) or not self._reports.counts:
+            place = place_of(self._contacts, decoded)
+            if place is not None:
+                self._queue.put(self._places.report(t, place, decoded.wheel, decoded.pan))
+        else:
             dx, dy, pressed, mask, wheel, pan = decoded
             self._buttons = (self._buttons & ~mask) | pressed
             self._queue.put(Report(t, dx, dy, self._buttons, wheel, pan))
@@ -270,6 +291,8 @@ class HidSource(ReaderSource):
         self._others = {device.path for device in self._alike()} - {self.path}
         self._handle.close()
         self.plugged = False
+        if (place := self._contacts.lifted()) is not None:
+            self._queue.put(self._places.report(time.monotonic(), place))
         if self._buttons:
             self._buttons = 0
             self._queue.put(Report(time.monotonic(), 0, 0))

@@ -13,6 +13,7 @@ from typing import Literal, Protocol, Self
 
 import msgspec
 
+from pointpred.devices.surface import Place, Surface
 from pointpred.errors import ParameterError, SourceError
 
 MOST_WAITING = 65536
@@ -27,7 +28,7 @@ BUTTON_NAMES = {1: "left", 2: "right", 4: "middle", 8: "back", 16: "forward"}
 
 
 class Report(msgspec.Struct, frozen=True, gc=False):
-    """One report of a device: counts since the report before, never a position.
+    """One report of a device: counts since the report before; a ``PlaceReport`` has a position.
 
     ``t`` s on the clock the source names; ``dx dy`` counts, y downwards; ``buttons`` pressed after it, as in
     ``PointerEvent``; ``wheel`` steps away from the hand, ``pan`` steps of a horizontal wheel to the right.
@@ -39,6 +40,28 @@ class Report(msgspec.Struct, frozen=True, gc=False):
     buttons: int = 0
     wheel: float = 0
     pan: float = 0
+
+
+class PlaceReport(Report, frozen=True, kw_only=True, gc=False):
+    """Where on its ``surface`` an absolute device is; ``dx dy`` say in its own units that it moved."""
+
+    place: Place
+    surface: Surface
+
+
+class PlaceReports:
+    """Makes the reports of a surface's places, with the way since the place before."""
+
+    def __init__(self, surface: Surface) -> None:
+        self.surface = surface
+        self._last: Place | None = None
+
+    def report(self, t: float, place: Place, wheel: float = 0, pan: float = 0) -> PlaceReport:
+        """The report of a place at ``t`` s."""
+        (x, y), last = (self.surface.x, self.surface.y), self._last or place
+        dx, dy = (place.x - last.x) * (x.most - x.least), (place.y - last.y) * (y.most - y.least)
+        self._last = place
+        return PlaceReport(t, dx, dy, place.buttons, wheel, pan, place=place, surface=self.surface)
 
 
 class DeviceInfo(msgspec.Struct, frozen=True):

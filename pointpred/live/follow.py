@@ -12,8 +12,17 @@ import msgspec
 from msgspec.structs import replace
 
 from pointpred.console import remark, remarks, results
-from pointpred.devices.cursor_paths import CursorPath, MotorPath, Pairing, PositionPath, TransferPath
+from pointpred.devices.cursor_paths import (
+    CursorPath,
+    MotorPath,
+    Pairing,
+    PositionPath,
+    SurfacePath,
+    TransferPath,
+)
+from pointpred.devices.evdev import EvdevSource
 from pointpred.devices.first_moving import SILENCE_S, FirstMoving
+from pointpred.devices.hidraw import HidSource
 from pointpred.devices.lsl import LslInlet
 from pointpred.devices.screen_cursor import CursorSource, ScreenCursor
 from pointpred.devices.selection import choose
@@ -68,10 +77,14 @@ def follow_device(device: DeviceOptions, outputs: OutputOptions, counts_per_inch
             opened = stream_path(source, device)
         elif isinstance(source, CursorSource):
             opened, cpi = cursor_path(source, device, cpi), None
+        elif not has_counts(source):
+            opened, cpi = surface_path(device, outputs.dpi, cpi), None
         else:
             cpi = counts_per_inch(source, cpi)
             function = saved.function if saved else None
             opened = mouse_path(device.cursor, function, cpi, outputs.dpi)
+            if isinstance(source, FirstMoving) or tells_places(source):
+                opened = with_surfaces(opened, device.cursor, outputs.dpi)
         stack.callback(opened.close)
         outputs = replace(outputs, cpi=cpi)
         pipeline = outputs.pipeline(person)
@@ -102,6 +115,43 @@ def cursor_path(source: CursorSource, options: DeviceOptions, cpi: float | None 
     if cpi is not None:
         remarks().print("--cpi is not used: the cursor is followed, and it has no counts")
     return OpenPath(PositionPath(source.words))
+
+
+def tells_places(source: DeviceSource) -> bool:
+    """Whether an open device tells positions."""
+    return isinstance(source, EvdevSource | HidSource) and source.places
+
+
+def has_counts(source: DeviceSource) -> bool:
+    """Whether an open device, or any that may be followed, has counts."""
+    devices = source.devices if isinstance(source, FirstMoving) else (source,)
+    return any(not isinstance(one, EvdevSource | HidSource) or one.counts for one in devices)
+
+
+def surface_path(options: DeviceOptions, dpi: float, cpi: float | None = None) -> OpenPath:
+    """The path of a device that tells its positions; raises ParameterError for options that need counts."""
+    for name in _mouse_options(options, ("auto", "screen", "motor")):
+        raise ParameterError(
+            f"--{name} needs a mouse's counts, and this device tells its positions; drop it", field=name
+        )
+    if cpi is not None:
+        remarks().print("--cpi is not used: the device tells its positions, and it has no counts")
+    if options.cursor == "motor":
+        return OpenPath(SurfacePath(dpi=dpi))
+    try:
+        with ScreenCursor() as cursor:
+            size = cursor.size
+    except SourceError:
+        if options.cursor == "screen":
+            raise
+        return OpenPath(SurfacePath(dpi=dpi))
+    return OpenPath(SurfacePath(dpi=dpi, screen=size, whole=options.cursor == "screen"))
+
+
+def with_surfaces(opened: OpenPath, choice: CursorChoice, dpi: float) -> OpenPath:
+    """A mouse's path that also takes the positions of absolute devices, which may be followed as well."""
+    size = getattr(getattr(opened.path, "cursor", None), "size", None)
+    return replace(opened, path=SurfacePath(opened.path, dpi=dpi, screen=size, whole=choice == "screen"))
 
 
 def mouse_path(

@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from pointpred.devices.cursor_paths import CursorPath, PositionPath
+from pointpred.devices.cursor_paths import CursorPath, PlaceEvent, PositionPath, SurfacePath
 from pointpred.errors import EventError, SourceError
 from pointpred.protocol.client_messages import Hello, cpi_of, dpi_of
 from pointpred.recorder.files import SessionFiles
@@ -54,21 +54,26 @@ class RecordingFiles(SessionFiles):
 class LiveRecording:
     """Has the pairs of a session written by the recorder's thread; a ``Watcher``.
 
-    ``clock`` says which clock stamps the events; it is asked when the first of them is written, because the
-    device may not be known before. Assumes that one thread calls it. Raises SourceError where the folder
-    cannot be written.
+    ``origin`` and ``clock`` say where the positions come from and which clock stamps them; they are asked
+    when the first event is written, because the device may not be known before. The rows of each contact of
+    an absolute device are marked as a trial: a reader sees where it ends. Assumes that one thread calls it.
+    Raises SourceError where the folder cannot be written.
     """
 
     def __init__(
-        self, file: Path, hello: Hello, origin: str, clock: Callable[[], str], *, simulated: bool = False
+        self,
+        file: Path,
+        hello: Hello,
+        origin: Callable[[], str],
+        clock: Callable[[], str],
+        *,
+        simulated: bool = False,
     ) -> None:
-        provenance = Provenance(
-            LIVE, origin=origin, dpi=dpi_of(hello), cpi=cpi_of(hello), simulated=simulated
-        )
+        provenance = Provenance(LIVE, dpi=dpi_of(hello), cpi=cpi_of(hello), simulated=simulated)
         self.file = file
         self.events = 0
         self._recorder = Recorder(file.parent)
-        self._clock, self._provenance = clock, provenance
+        self._origin, self._clock, self._provenance = origin, clock, provenance
         self._files = RecordingFiles(file, provenance)
         self._session = self._recorder.record(self._files, hello)
         self._waiting: list[Pair] = []
@@ -86,7 +91,12 @@ class LiveRecording:
     def take(self, pairs: Sequence[Pair]) -> None:
         """Record; an empty sequence flushes pending events."""
         waiting = self._waiting
-        waiting.extend(pairs)
+        for pair in pairs:
+            if isinstance(pair[0], PlaceEvent) and pair[0].begins:
+                self._flush()
+                self._session.trial("start")
+                waiting = self._waiting
+            waiting.append(pair)
         if waiting and (
             not pairs or len(waiting) >= MOST or waiting[-1][0].t - waiting[0][0].t >= TOGETHER_S
         ):
@@ -102,7 +112,8 @@ class LiveRecording:
         waiting, self._waiting = self._waiting, []
         if waiting:
             if not self.events:
-                self._files.set_provenance(replace(self._provenance, clock=self._clock()))
+                about = replace(self._provenance, origin=self._origin(), clock=self._clock())
+                self._files.set_provenance(about)
             self.events += len(waiting)
             events = EventColumns.of_events(event for event, _ in waiting)
             rows = [prediction_row(prediction, event.t) for event, prediction in waiting]
@@ -159,6 +170,10 @@ class CurveLearner:
 
 def curve_learner(path: CursorPath, cpi: float | None, dpi: float) -> CurveLearner | str:
     """A learner, or why this path does not allow one."""
+    if isinstance(path, SurfacePath):
+        if path.counts is None:
+            return NEEDS_COUNTS
+        path = path.counts
     if path.space != "screen":
         return NEEDS_CURSOR
     if isinstance(path, PositionPath) and not path.counts:

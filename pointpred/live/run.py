@@ -20,6 +20,7 @@ from typing import Any, Protocol
 import msgspec
 
 from pointpred.console import counted, remark, results
+from pointpred.devices.cursor_paths import SurfacePath
 from pointpred.devices.lsl import OUTLET, LslOutlet
 from pointpred.devices.screen_cursor import CursorSource
 from pointpred.errors import ParameterError, SourceError
@@ -179,7 +180,11 @@ class LiveRun:
             VERSION, options.predictor, device=Device(cpi=options.cpi), screen=Screen(dpi=options.dpi)
         )
         recording = LiveRecording(
-            file, hello, session.words, lambda: session.source.clock, simulated=options.simulated
+            file,
+            hello,
+            lambda: session.words,
+            lambda: session.source.clock,
+            simulated=options.simulated,
         )
         session.watchers.append(recording.take)
         return recording
@@ -220,7 +225,8 @@ class LiveRun:
     def _heading(self) -> list[tuple[str, str]]:
         source, cpi = self.session.source, self.options.cpi
         resolution = "counts per inch unknown" if cpi is None else f"{cpi:.0f} counts per inch"
-        if isinstance(source, CursorSource):
+        path = self.session.path
+        if isinstance(source, CursorSource) or (isinstance(path, SurfacePath) and path.counts is None):
             resolution = "no counts"
         page = [("page", self.page.address)] if self.page else []
         plays = source.pace if isinstance(source, PlayedSource) else ""

@@ -10,7 +10,7 @@ from threading import Event
 import msgspec
 
 from pointpred.clock import NEVER, Instant, now
-from pointpred.devices.cursor_paths import CursorPath, MotorPath, Space
+from pointpred.devices.cursor_paths import CursorPath, MotorPath, PlaceEvent, Space
 from pointpred.devices.first_moving import moves
 from pointpred.devices.source import DeviceSource
 from pointpred.errors import EventError
@@ -91,7 +91,7 @@ class LiveSession:
         self.reports = 0
         self.refused = 0
         self.moved = False
-        """Whether the device has moved by at least one count."""
+        """Whether the device has moved, were it by one count."""
         self.silent_s = 0.0
         """How long nothing has moved since the beginning: the sum of the waits without a report, s."""
         self.note: Callable[[], str | None] = lambda: None
@@ -118,7 +118,8 @@ class LiveSession:
     def advance(self, timeout_s: float = WAIT_S) -> list[Pair]:
         """Predictions for the pending reports, after waiting at most ``timeout_s`` for some.
 
-        An event that the pipeline refuses is left out and counted. Raises what a watcher raises.
+        An event that the pipeline refuses is left out and counted. Where a contact begins, the pipeline
+        forgets the movement before it. Raises what a watcher raises.
         """
         reports = self.source.take(timeout_s)
         if reports:
@@ -131,6 +132,8 @@ class LiveSession:
         comparable = "monotonic" in self.source.clock
         pairs: list[Pair] = []
         for event in self.path.events(reports):
+            if isinstance(event, PlaceEvent) and event.begins:
+                self.pipeline.reset()
             try:
                 prediction = self.pipeline.update(event)
             except EventError as error:

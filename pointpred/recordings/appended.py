@@ -20,7 +20,7 @@ from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.recordings import arrow_tables
 from pointpred.recordings.arrow_tables import EVENT_COLUMNS, Header, IntArray, parse_header, says_appended
 from pointpred.recordings.encodings import read_unpacked, stem_of
-from pointpred.recordings.reading import AS_IS, Reading, row_name
+from pointpred.recordings.reading import AS_IS, Cut, Reading, row_name
 from pointpred.recordings.segmentation import trials_of_stream
 from pointpred.recordings.trials import TARGET, assemble, condition_cells
 from pointpred.records import EventColumns
@@ -46,7 +46,8 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     """Read an appended recording, with its table of trials if there is one.
 
     Rows of a marked trial name it. If no row does, the stream is cut according to ``reading``, by default at
-    clicks, or at pauses for a live device without clicks. A trial without a row in ``trials`` had not ended;
+    clicks, or at pauses for a live device without clicks. The marks of a live device are those of its
+    contacts: each is cut at pauses by default. A trial without a row in ``trials`` had not ended;
     one that lost events has fewer samples than stated: both are skipped.
     Memory: the file, and about 150 bytes a row.
     Returns the recording; raises RecordingError.
@@ -58,13 +59,25 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
     marks = table["trial"].combine_chunks()
     users = table["user"].drop_null()
     user = str(users[0].as_py()) if len(users) else name
-    if marks.null_count == len(marks):
-        how = reading.cut or "clicks"
-        if reading.cut is None and provenance.format == LIVE and not (events[:, -1] > 0).any():
+    marked = marks.null_count < len(marks)
+    if not marked or (provenance.format == LIVE and trials is None):
+        how: Cut = reading.cut or "clicks"
+        breaks = np.flatnonzero(np.diff(marks.dictionary_encode().indices.fill_null(-1))) + 1
+        if reading.cut is None and marked:
+            how = "bursts"
+            notes.append(f"cut at pauses, and where a pen or finger was lifted: contacts {1 + len(breaks)}")
+        elif reading.cut is None and provenance.format == LIVE and not (events[:, -1] > 0).any():
             how = "bursts"
             notes.append("no button was pressed: cut at pauses")
         return trials_of_stream(
-            name, EventColumns(events), how, reading, user=user, provenance=provenance, notes=notes
+            name,
+            EventColumns(events),
+            how,
+            reading,
+            user=user,
+            provenance=provenance,
+            breaks=breaks.tolist(),
+            notes=notes,
         )
     encoded = marks.dictionary_encode()
     group = arrow_tables.as_array(pc.fill_null(encoded.indices, -1)).astype(np.int64)

@@ -143,11 +143,22 @@ FORMATS: tuple[Format, ...] = (
         jspsych.read,
         recognises_further=jspsych.recognises_further,
     ),
-    Format("libinput", libinput.TITLE, libinput.recognises, libinput.read, streams=True),
-    Format("evtest", evtest.TITLE, evtest.recognises, evtest.read, streams=True),
-    Format("hid-recorder", hid_recorder.TITLE, hid_recorder.recognises, hid_recorder.read, streams=True),
-    Format("evemu", evemu.TITLE, evemu.recognises, evemu.read, streams=True),
-    Format("getevent", getevent.TITLE, getevent.recognises, getevent.read, streams=True),
+    Format(
+        "libinput", libinput.TITLE, libinput.recognises, libinput.read, streams=True, takes=("px_per_unit",)
+    ),
+    Format("evtest", evtest.TITLE, evtest.recognises, evtest.read, streams=True, takes=("px_per_unit",)),
+    Format(
+        "hid-recorder",
+        hid_recorder.TITLE,
+        hid_recorder.recognises,
+        hid_recorder.read,
+        streams=True,
+        takes=("px_per_unit",),
+    ),
+    Format("evemu", evemu.TITLE, evemu.recognises, evemu.read, streams=True, takes=("px_per_unit",)),
+    Format(
+        "getevent", getevent.TITLE, getevent.recognises, getevent.read, streams=True, takes=("px_per_unit",)
+    ),
     Format(
         "libinput-debug-events", debug_events.TITLE, debug_events.recognises, debug_events.read, streams=True
     ),

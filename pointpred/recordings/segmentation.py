@@ -195,15 +195,21 @@ def trials_of_stream(
     condition: dict[str, str | float] | None = None,
     faults: dict[int, str] | None = None,
     row_of: IntArray | None = None,
+    breaks: Sequence[int] = (),
     notes: Sequence[str] = (),
 ) -> Recording:
-    """A recording from a stream: its pieces as trials ``0, 1, ...`` and as skips named by their rows."""
+    """A recording from a stream: its pieces as trials ``0, 1, ...`` and as skips named by their rows.
+
+    ``breaks`` are rows at which the stream begins anew, wherever that is: no piece goes on there.
+    """
     rows = np.arange(len(events), dtype=np.int64)
     row = rows if row_of is None else row_of
     ordered = in_order(events.t, reading.sort)
     table, place = events.table[ordered.order], np.argsort(ordered.order)
     groups = Groups(np.full(len(rows), -1, dtype=np.int64))
-    groups.add_stream(rows, EventColumns(table), how, reading, row[ordered.order], user)
+    part = np.searchsorted(np.asarray(breaks, dtype=np.int64), ordered.order, side="right")
+    for some in np.split(rows, np.flatnonzero(np.diff(part)) + 1):
+        groups.add_stream(some, EventColumns(table[some]), how, reading, row[ordered.order], user)
     return groups.recording(
         name,
         table,

@@ -113,6 +113,6 @@ class LiveFeed:
 
 def frames_of(pairs: Sequence[Pair]) -> list[Frame]:
     """One ``events`` and one ``prediction``, the newest, as texts."""
-    rows = [astuple(event) for event, _ in islice(pairs, MOST_WAITING)]
+    rows = [astuple(event)[:6] for event, _ in islice(pairs, MOST_WAITING)]
     event, newest = pairs[-1]
     return [encode(Events(rows)).decode(), prediction_text(prediction_row(newest, event.t))]

@@ -54,9 +54,10 @@ MAY_IMPORT = {
     "simulation": PIPELINE,
     "scoring": PIPELINE,
     "reproduction": PIPELINE | {"drawing", "simulation", "scoring", "recordings"},
-    "devices.hid": {"errors"},
-    "recordings": {"errors", "extras", "files", "records", "recording", "devices.hid"},
-    "devices": MATHS | {"devices.hid", "recordings"},
+    "devices.surface": set(),
+    "devices.hid": {"errors", "devices.surface"},
+    "recordings": {"errors", "extras", "files", "records", "recording", "devices.hid", "devices.surface"},
+    "devices": MATHS | {"devices.hid", "devices.surface", "recordings"},
     "console": set(),
     "datasets": PIPELINE | {"simulation", "recordings"},
     "training": PIPELINE | {"scoring", "recordings", "pointpred"},
@@ -101,7 +102,7 @@ MAY_IMPORT = {
 }
 """What each layer may import beside itself; ``pointpred`` is the library's own ``__init__``.
 
-``devices.hid`` stands apart from ``devices``: recordings of reports are read by it, too.
+``devices.hid`` and ``devices.surface`` stand apart from ``devices``: recordings are read by them, too.
 
 ``observers`` and ``camera`` are the names of version 0.1, which load ``pointpred_observers`` when asked.
 """

@@ -32,11 +32,14 @@ class Mouse(msgspec.Struct, frozen=True):
     name: str
     numbers: str
     bitmaps: dict[int, int]
+    properties: int = 0
+    ranges: dict[int, tuple[int, int, int]] = {}
 
 
 PLAIN = Mouse("Plain Mouse", "0003 046d c077 0111", {0: 7, 1: 0x70000 << 256, 2: 0x103})
+ACCELEROMETER = Mouse("Some Accelerometer", "0019 0000 0000 0000", {0: 9, 3: 0x7}, 1 << 6)
 KEYBOARD = Mouse("Some Keyboard", "0011 0001 0001 ab41", {0: 3, 1: 0xFFFFFFFE})
-TOUCHPAD = Mouse("Some Touchpad", "0011 0002 0007 01b1", {0: 11, 1: 0x400 << 320, 3: 0x3})
+TOUCHPAD = Mouse("Some Touchpad", "0011 0002 0007 01b1", {0: 11, 1: 0x420 << 320, 3: 0x3})
 
 
 def described(path: Path) -> Mouse:
@@ -82,10 +85,15 @@ def plug(bed: Testbed, number: int, mouse: Mouse, pressed: bytes | None = None) 
     attributes |= {f"id/{key}": value for key, value in ids}
     for kind, name in enumerate(("ev", "key", "rel", "abs")):
         attributes[f"capabilities/{name}"] = words_of(mouse.bitmaps.get(kind, 0))
+    attributes["properties"] = words_of(mouse.properties)
+    answers = f"EVIOCGKEY 96 {pressed.hex().upper()}\n" if pressed else ""
+    for code, (least, most, resolution) in mouse.ranges.items():
+        absinfo = struct.pack("@6i", 0, least, most, 0, 0, resolution)
+        answers += f"EVIOCGABS({code}) 0 {absinfo.hex().upper()}\n"
     lines = [f"P: {above}", "E: SUBSYSTEM=input", *(f"A: {key}={value}" for key, value in attributes.items())]
     lines += ["", f"P: {above}/event{number}", f"N: {node[5:]}", f"E: DEVNAME={node}", "E: SUBSYSTEM=input"]
     lines += [f"L: device=../../input{number}", f"A: dev=13:{64 + number}", "", ""]
-    bed.add("\n".join(lines), {node: f"EVIOCGKEY 96 {pressed.hex().upper()}\n"} if pressed else None)
+    bed.add("\n".join(lines), {node: answers} if answers else None)
     return node
 
 

@@ -7,9 +7,26 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from pointpred.devices.source import BoundedQueue, ClosedOnExit, Report
+from pointpred.devices.source import BoundedQueue, ClosedOnExit, PlaceReport, PlaceReports, Report
+from pointpred.devices.surface import Axis, Place, Surface
 
 MONOTONIC = "a test's own, monotonic clock"
+SURFACE = Surface(Axis(0, 4000, 508.0), Axis(0, 2000, 254.0))
+
+
+def touches(*starts: tuple[float, float], began: float = 1.0) -> list[PlaceReport]:
+    """A finger that is put down at each place, in shares, drawn to the right for 0.2 s and lifted, at 200 Hz.
+
+    The next one touches 50 ms later.
+    """
+    made, reports, t = PlaceReports(SURFACE), [], began
+    for x, y in starts:
+        for at in range(41):
+            reports.append(made.report(t, Place(x + 0.2 * (at / 40) ** 2, y, 1, at == 0)))
+            t += 0.005
+        reports.append(made.report(t, Place(x + 0.2, y, 0, False)))
+        t += 0.05
+    return reports
 
 
 class FakeMouse(ClosedOnExit):

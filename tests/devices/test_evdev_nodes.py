@@ -11,7 +11,7 @@ from pointpred.devices import evdev
 from pointpred.devices.evdev import EvdevSource
 from pointpred.errors import SourceError
 from tests.devices import evdev_mice
-from tests.devices.evdev_mice import KEYBOARD, PLAIN, TOUCHPAD, Reader, plug
+from tests.devices.evdev_mice import ACCELEROMETER, KEYBOARD, PLAIN, TOUCHPAD, Reader, plug
 from tests.devices.umockdev import Testbed
 
 
@@ -30,7 +30,7 @@ def test_the_list_names_what_points_and_says_why_one_is_closed(testbed: Testbed)
     assert [found["path"] for found in listed] == [open_one, touchpad, closed]
     assert listed[0]["name"] == PLAIN.name
     assert [found["openable"] for found in listed] == [True, False, False]
-    assert "absolute positions" in listed[1]["why"]
+    assert "it is a touch pad" in listed[1]["why"]
     assert "browser" in listed[1]["advice"]
     assert listed[2]["why"] == "Permission denied"
     for part in ('KERNEL=="event*"', 'ATTRS{id/vendor}=="046d"', 'TAG+="uaccess"', "udevadm trigger"):
@@ -39,7 +39,9 @@ def test_the_list_names_what_points_and_says_why_one_is_closed(testbed: Testbed)
 
 def test_a_keyboard_and_a_missing_node_say_what_to_do(testbed: Testbed) -> None:
     for node, said in (
-        (plug(testbed, 5, KEYBOARD), "no relative motion"),
+        (plug(testbed, 5, KEYBOARD), "it sends no motion"),
+        (plug(testbed, 6, TOUCHPAD), "it is a touch pad"),
+        (plug(testbed, 7, ACCELEROMETER), "are not a pointer's"),
         ("/dev/input/event99", "plug the device in"),
     ):
         with Reader(testbed, node) as reader:

@@ -109,7 +109,10 @@ def _joined(rows: list[list[float]], each: int) -> list[list[float]]:
 def test_a_bad_descriptor_says_so(room: Room) -> None:
     answer = room.ask(SYZBOT, 1)
     node = room.mice[SYZBOT.name].node
-    assert answer == f"{node} (garbage): report descriptor without relative x or y, expected a mouse's"
+    assert answer == (
+        f"{node} (garbage): report descriptor without x and y of a pointer: "
+        "expected those of a mouse, a tablet or a touch screen"
+    )
 
 
 def test_a_report_that_is_too_short_is_counted(room: Room) -> None:

@@ -10,12 +10,12 @@ import pytest
 
 from pointpred import EventColumns, PointerEvent, build, run
 from pointpred.clock import Instant
-from pointpred.devices.cursor_paths import MotorPath, TransferPath
-from pointpred.devices.source import Report
+from pointpred.devices.cursor_paths import MotorPath, SurfacePath, TransferPath
+from pointpred.devices.source import PlaceReport, Report
 from pointpred.live.session import DelayHistogram, LiveSession, ReportRate
 from pointpred.records import Pair
 from pointpred.transfer import ConstantGain, PixelTransfer, SigmoidGain
-from tests.devices.live_fakes import FakeMouse, reach
+from tests.devices.live_fakes import SURFACE, FakeMouse, reach, touches
 
 REACH = reach(3.0, (900.0, -400.0))
 
@@ -52,6 +52,36 @@ def test_a_transfer_function_moves_the_cursor_as_it_does_offline() -> None:
     moved = PixelTransfer(SigmoidGain(), cpi=2000.0).run(np.array(t), np.array(dx), np.array(dy))
     assert (last.x, last.y) == tuple(moved.sum(axis=0))
     assert session.space == "transfer"
+
+
+def test_a_contact_begins_a_movement_as_in_a_batch() -> None:
+    reports = touches((0.1, 0.2), (0.7, 0.9))
+    session = LiveSession(FakeMouse(reports), SurfacePath(), build("switched"))
+    assert (session.space, session.words) == ("screen", "the device's own")
+    pairs = session.advance(0.0)
+    table = EventColumns.of_events([event for event, _ in pairs]).table
+    begin = np.array([report.place.begins for report in reports])
+    assert begin.sum() == 2
+    batch = list(run(build("switched"), EventColumns(table, begin)).predictions())
+    assert [prediction for _, prediction in pairs] == batch
+    assert session.words == "the device's own, px of the surface, 508 x 254 mm at 96 px per inch"
+    assert table[0, 1:3] == pytest.approx((0.1 * 1920, 0.2 * 960))
+    assert np.isnan(table[:, 3:5]).all()
+
+
+def test_a_mouse_that_is_followed_after_a_tablet_goes_on_by_counts() -> None:
+    reports: list[Report] = [*touches((0.1, 0.2)), Report(9.0, 3, 4), Report(9.1, 1, 0)]
+    source = FakeMouse(reports)
+    session = LiveSession(source, SurfacePath(MotorPath(), screen=(100.0, 100.0), whole=True), build("hold"))
+    pairs = session.advance(0.0)
+    assert len(pairs) == len(reports)
+    assert [(event.x, event.dx) for event, _ in pairs[-2:]] == [(3.0, 3.0), (4.0, 1.0)]
+    assert max(event.x for event, _ in pairs) <= 100.0
+    source.put([Report(9.2, 1, 0)])
+    assert session.advance(0.0)[0][0].x == 5.0
+    assert session.space == "motor"
+    assert SURFACE.scale(96.0, whole=True)[:2] == (1920.0, 1080.0)
+    assert all(isinstance(report, PlaceReport) for report in reports[:-2])
 
 
 def test_a_report_that_runs_backwards_is_refused_counted_and_said() -> None:

@@ -5,9 +5,11 @@ An input is two bytes with the length of the descriptor, the descriptor, and a r
 
 from __future__ import annotations
 
-from pointpred.devices.hid import parse_descriptor
+from pointpred.devices.hid import PositionValues, parse_descriptor
+from pointpred.devices.surface import ALWAYS
 from pointpred.errors import RecordingError
 from tests.devices.mice import ENCODERS
+from tests.devices.surfaces import REPORTS
 from tests.fuzz import naive
 
 MOST_EXPANDED = 200_000
@@ -32,7 +34,7 @@ def check(data: bytes) -> str:
         return "refused"
     if _expanded(descriptor) > MOST_EXPANDED:
         return "too large to be read twice"
-    theirs = naive.places(descriptor)
+    theirs, contacts = naive.places(descriptor)
     assert theirs.keys() == ours.layouts.keys()
     for number, places in theirs.items():
         layout = ours.layouts[number]
@@ -51,8 +53,31 @@ def check(data: bytes) -> str:
     pressed = sum(bit * expected.get(name, 0) for name, bit in naive.W3C.items())
     mask = sum(bit for name, bit in naive.W3C.items() if name in expected)
     x, y, wheel, pan = (expected.get(name, 0) for name in ("x", "y", "wheel", "pan"))
+    if number in contacts:
+        check_contacts(decoded, contacts[number], report, pressed, mask)
+        return "read"
     assert decoded == (x, y, pressed, mask, wheel, pan)
     return "read"
+
+
+def check_contacts(
+    decoded: object, contacts: list[naive.Contact], report: bytes, pressed: int, mask: int
+) -> None:
+    """Absolute positions, and what lies beside them, as the second reading finds them."""
+    assert isinstance(decoded, PositionValues)
+    assert len(decoded.contacts) == len(contacts)
+    for ours, theirs in zip(decoded.contacts, contacts, strict=True):
+        values = {name: naive.read((at[0], at[1], bool(at[2])), report) for name, at in theirs.items()}
+        for name, share in (("x", ours.x), ("y", ours.y)):
+            least, most, bounded = theirs[name][3:]
+            assert share == (values[name] - least) / (most - least)
+            assert not (ours.there and bounded and not least <= values[name] <= most)
+        assert ours.tip == values.get("tip", 0)
+        known = {"tip", "in range"} & values.keys()
+        assert ours.number == (values.get("contact", 0) if known else ALWAYS)
+        if "any barrel" in values and not mask & 2:
+            pressed |= 2 * values["any barrel"]
+    assert decoded.buttons == pressed
 
 
 def _expanded(descriptor: bytes) -> int:
@@ -72,4 +97,4 @@ def seeds() -> list[bytes]:
         joined(mouse.descriptor, report)
         for mouse, encode, most in ENCODERS
         for report in encode(most, -most, 7, 1, 1)
-    ]
+    ] + [joined(device.descriptor, report) for device, report in REPORTS]

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from pointpred import build
-from pointpred.devices.cursor_paths import MotorPath
+from pointpred.devices.cursor_paths import MotorPath, SurfacePath
 from pointpred.live.outputs import LiveRecording
 from pointpred.live.session import LiveSession
 from pointpred.protocol.client_messages import Device, Hello, Screen
-from pointpred.recordings import read
-from tests.devices.live_fakes import FakeMouse, reach
+from pointpred.recordings import Reading, read
+from tests.devices.live_fakes import FakeMouse, reach, touches
 from tests.server.listener import soon
 
 HELLO = Hello(1, "kinematic", device=Device(cpi=800.0), screen=Screen(dpi=110.0))
@@ -31,7 +31,7 @@ def file(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def recording(file: Path) -> Iterator[LiveRecording]:
-    made = LiveRecording(file, HELLO, WHERE, lambda: "a test's clock")
+    made = LiveRecording(file, HELLO, lambda: WHERE, lambda: "a test's clock")
     yield made
     made.close()
 
@@ -54,6 +54,20 @@ def test_the_file_is_the_one_that_was_named_and_its_owners_only(file: Path, reco
     assert (len(held.trials), held.provenance.cpi, held.provenance.dpi) == (2, 800.0, 110.0)
     assert (held.provenance.origin, held.provenance.clock) == (WHERE, "a test's clock")
     assert (recording.events, recording.lost) == (1004, 0)
+
+
+def test_the_contacts_of_a_touch_screen_are_movements_of_their_own(file: Path) -> None:
+    session = LiveSession(FakeMouse(touches((0.1, 0.2), (0.7, 0.9))), SurfacePath(), build("kinematic"))
+    recording = LiveRecording(file, HELLO, lambda: session.words, lambda: "a test's clock")
+    session.watchers.append(recording.take)
+    session.advance(0.0)
+    assert recording.close()
+    held = read(file)  # the second begins 50 ms after the first ended: no pause is between them
+    assert [len(held.rows(at)) for at in range(2)] == [41, 41]
+    assert "cut at pauses, and where a pen or finger was lifted: contacts 2" in held.notes
+    assert held.provenance.origin.startswith("the device's own, px of the surface")
+    assert np.isnan(held.events.dx).all()
+    assert len(read(file, reading=Reading(cut="clicks")).trials) == 0
 
 
 def test_every_field_of_a_prediction_is_kept(file: Path, recording: LiveRecording) -> None:
@@ -120,7 +134,7 @@ def test_a_deleted_file_ends_the_recording_only(
 
 def test_samples_that_are_named_so_keep_the_name(tmp_path: Path) -> None:
     tmp_path.chmod(0o700)
-    recording = LiveRecording(tmp_path / "desk_samples.csv", HELLO, WHERE, lambda: "a test's clock")
+    recording = LiveRecording(tmp_path / "desk_samples.csv", HELLO, lambda: WHERE, lambda: "a test's clock")
     follow(recording, 1.0)
     assert recording.close()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["desk_predictions.csv", "desk_samples.csv"]

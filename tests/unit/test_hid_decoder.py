@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from pointpred.devices.hid import parse_descriptor
 from tests.devices.mice import ENCODERS, SYZBOT, Encode, Mouse
+from tests.devices.surfaces import REPORTS
 from tests.fuzz.corpus import corpus
 from tests.fuzz.hid import check, joined
 
@@ -102,7 +103,9 @@ edits = st.lists(
 
 
 @settings(max_examples=300)
-@given(st.sampled_from([mouse.descriptor for mouse, _, _ in ENCODERS]), edits, st.binary(max_size=12))
+@given(
+    st.sampled_from([mouse.descriptor for mouse, *_ in (*ENCODERS, *REPORTS)]), edits, st.binary(max_size=16)
+)
 def test_a_damaged_descriptor_is_refused_or_read(
     descriptor: bytes, changes: list[tuple[float, int, bytes]], report: bytes
 ) -> None:

@@ -153,6 +153,6 @@ def test_broken_descriptors(data: str, at: int) -> None:
 
 @pytest.mark.parametrize("data", ["05 01 09 06 a1 01 c0", "05 01 09 30 15 00 26 ff 7f 75 10 95 01 81 02", ""])
 def test_a_keyboard_a_tablet_and_no_bytes_are_no_mouse(data: str) -> None:
-    with pytest.raises(RecordingError, match="without relative x or y") as refused:
+    with pytest.raises(RecordingError, match="without x and y of a pointer") as refused:
         parse_descriptor(bytes.fromhex(data))
     assert refused.value.code == "not_a_mouse"

@@ -113,10 +113,28 @@ def test_getevent_without_times_says_how_to_have_them(tmp_path: Path) -> None:
         one(lines_file(tmp_path / "events.txt", *lines))
 
 
-def test_a_touch_screen_of_android_is_refused_with_its_reason(tmp_path: Path) -> None:
-    lines = [f"[ 1.{at:06d}] /dev/input/event3: EV_ABS ABS_MT_POSITION_X 000000{at:02x}" for at in range(9)]
-    with pytest.raises(RecordingError, match="absolute positions only in 9 events"):
-        one(lines_file(tmp_path / "events.txt", *lines))
+def test_a_touch_screen_of_android_has_its_units_as_px_without_a_description(tmp_path: Path) -> None:
+    lines = [
+        f"[ 1.0{at:05d}] /dev/input/event3: {event}"
+        for at in range(9)
+        for event in (
+            f"EV_ABS ABS_MT_TRACKING_ID {7:08x}",
+            f"EV_ABS ABS_MT_POSITION_X {100 + at:08x}",
+            f"EV_ABS ABS_MT_POSITION_Y {200:08x}",
+            "EV_KEY BTN_TOUCH DOWN",
+            "EV_SYN SYN_REPORT 00000000",
+        )
+    ]
+    recording = one(lines_file(tmp_path / "events.txt", *lines))
+    assert recording.events.x.tolist() == [100 + at for at in range(9)]
+    assert set(recording.events.y) == {200.0}
+    assert set(recording.events.buttons) == {1}
+    said = (
+        "positions: units of the device taken as px, for their range is not known; --px-per-unit says another"
+    )
+    assert said in recording.notes
+    with pytest.raises(RecordingError, match="no motion in 9 events, expected X and Y of a contact"):
+        one(lines_file(tmp_path / "cut.txt", *lines[1::5]))
 
 
 def test_the_positions_of_rrweb_have_times_of_their_own() -> None:

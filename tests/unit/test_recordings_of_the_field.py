@@ -27,10 +27,11 @@ def one(name: str | Path, reading: Reading | None = None) -> Recording:
 
 
 def test_the_device_of_each_report_is_known_however_its_line_is_written() -> None:
-    with pytest.raises(
-        RecordingError, match=r"A Mouse: no motion in 4 reports.*A Touch Screen: .*relative x"
-    ):
-        one("two_devices.hid")
+    recording = one("two_devices.hid")
+    assert [trial.condition["device"] for trial in recording.trials] == ["A Touch Screen"]
+    assert "device A Mouse: no motion in 4 reports, expected a mouse that moves" in recording.notes
+    np.testing.assert_allclose(recording.events.x[:2], np.array([1000, 1010]) / 4095 * 1920)
+    assert np.isnan(recording.events.dx).all()
 
 
 def test_a_line_that_names_no_device_refuses_the_file(tmp_path: Path) -> None:

@@ -2,32 +2,49 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
+from pointpred.devices.surface import Place, Surface
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording
 from pointpred.recordings.arrow_tables import IntArray
 from pointpred.recordings.encodings import read_text, stem_of
+from pointpred.recordings.formats.evdev_contacts import (
+    BTN_TOOL_FINGER,
+    CONTACT_KEYS,
+    EV_ABS,
+    EV_KEY,
+    EV_REL,
+    EV_SYN,
+    REL_X,
+    REL_Y,
+    SYN_MT_REPORT,
+    EvdevAbout,
+    EvdevContacts,
+)
 from pointpred.recordings.reading import Reading
 from pointpred.recordings.segmentation import trials_of_stream
 from pointpred.recordings.trials import join
 from pointpred.records import EventColumns
 
 SHOWN = 60
-EV_SYN, EV_KEY, EV_REL, EV_ABS = range(4)
 SYN_REPORT, SYN_DROPPED = 0, 3
-REL_X, REL_Y = 0, 1
 BUTTONS = {0x110: 1, 0x111: 2, 0x112: 4, 0x113: 8, 0x114: 16, 0x115: 16, 0x116: 8}
 """Kernel codes from BTN_LEFT on -> bits of W3C pointer events (left, right, middle, back, forward)."""
 LARGEST = 1 << 31
+DROPPED = "the kernel dropped events (SYN_DROPPED)"
 RawEvent = tuple[int, int, int, int]
 """Time in microseconds, type, code, value."""
-DeviceEvent = tuple[tuple[int, str], RawEvent]
-"""A raw event of a device: its number and its name, "" where the file does not say it."""
+DeviceKey = tuple[int, str]
+"""The number and the name of a device, "" where the file does not say it."""
+DeviceEvent = tuple[DeviceKey, RawEvent]
+Abouts = defaultdict[DeviceKey, EvdevAbout]
+"""What a file says of each device, before its events."""
 
 
 class UnreadableLines:
@@ -51,26 +68,55 @@ class UnreadableLines:
 
 
 class Frames(msgspec.Struct):
-    """Pointer events and the number of each one's first raw event; notes and faults as in ``assemble``."""
+    """Pointer events and the number of each one's first raw event; notes and faults as in ``assemble``.
+
+    ``surface``: that of an absolute device, in shares of which the positions are; ``breaks``: the events at
+    which another contact begins.
+    """
 
     events: EventColumns
     rows: IntArray
     faults: dict[int, str]
     notes: list[str]
+    surface: Surface | None = None
+    breaks: IntArray = np.empty(0, dtype=np.int64)
+
+    def in_px(self, reading: Reading) -> tuple[Frames, str]:
+        """The same with the positions of an absolute device in px, and the unit they had."""
+        surface = self.surface
+        if surface is None:
+            return self, "counts"
+        if reading.px_per_unit is None:
+            width, height, words = surface.scale(reading.dpi)
+            words += "" if surface.size_mm else "; --px-per-unit says another"
+        else:
+            (across, down), x, y = reading.gain, surface.x, surface.y
+            width, height = across * (x.most - x.least), down * (y.most - y.least)
+            words = f"{across:g} px across and {down:g} px down in a unit of the device"
+        table = self.events.table.copy()
+        table[:, 1:3] *= width, height
+        notes = [*self.notes, f"positions: {words}"]
+        if len(self.breaks) > 1:
+            notes.append(f"contacts, each a movement of its own or several: {len(self.breaks)}")
+        unit = "mm" if surface.size_mm and reading.px_per_unit is None else "units of the device"
+        return msgspec.structs.replace(self, events=EventColumns(table), notes=notes), unit
 
 
 def text_recording(
     path: Path,
     form: str,
-    events: Callable[[str, UnreadableLines], Iterable[DeviceEvent]],
+    events: Callable[[str, UnreadableLines, Abouts], Iterable[DeviceEvent]],
     reading: Reading,
     clock: str,
 ) -> Recording:
     """The recording of the devices of a text, whose raw events ``events`` extracts; raises RecordingError."""
     unreadable = UnreadableLines()
-    builders: dict[tuple[int, str], FrameBuilder] = {}
-    for row, (device, event) in enumerate(events(read_text(path), unreadable)):
-        builders.setdefault(device, FrameBuilder(path)).add(row, event)
+    abouts: Abouts = defaultdict(EvdevAbout)
+    builders: dict[DeviceKey, FrameBuilder] = {}
+    for row, (device, event) in enumerate(events(read_text(path), unreadable, abouts)):
+        if device not in builders:
+            builders[device] = FrameBuilder(path, abouts[device])
+        builders[device].add(row, event)
     devices = [(name or stem_of(path), builder.finish()) for (_, name), builder in builders.items()]
     return recording_of_devices(path, form, devices, unreadable, reading, clock)
 
@@ -105,13 +151,20 @@ def recording_of_devices(
 class FrameBuilder:
     """Sums the relative motion of each frame of a device; x and y are the summed counts, 1 count = 1 px.
 
+    A device that has none has the places of its contacts or its pointer, on the surface that it is ``about``.
     Frames without motion and button (the wheel) are ignored and counted in a note. SYN_DROPPED means that the
     kernel lost events: the frame up to it is discarded, and counts as a fault; whatever was pressed counts as
     released after it, since the release may be among what was lost.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, about: EvdevAbout | None = None) -> None:
         self.path = path
+        self.about = about or EvdevAbout()
+        self.contacts = EvdevContacts(self.about)
+        self.places: list[tuple[int, Place]] = []
+        self.place_rows: list[int] = []
+        self.place_faults: dict[int, str] = {}
+        self.without_place = 0
         self.table: list[tuple[int, int, int, int]] = []
         self.rows: list[int] = []
         self.faults: dict[int, str] = {}
@@ -135,10 +188,15 @@ class FrameBuilder:
             self._end(time)
         elif kind == EV_SYN and code == SYN_DROPPED:
             self._dx, self._dy, self._useful, self._lost = 0, 0, True, True
-        elif kind == EV_ABS:
-            self.absolute = True
         elif self._lost:
             pass  # the rest of a frame of which the beginning is lost
+        elif kind == EV_ABS:
+            self.absolute = True
+            self.contacts.take(kind, code, value)
+        elif (kind == EV_SYN and code == SYN_MT_REPORT) or (kind == EV_KEY and code in CONTACT_KEYS):
+            self.contacts.take(kind, code, value)
+        elif kind == EV_KEY and code == BTN_TOOL_FINGER:
+            self.about.keys.add(code)
         elif kind == EV_REL and code in (REL_X, REL_Y):
             self._dx += value * (code == REL_X)
             self._dy += value * (code == REL_Y)
@@ -149,8 +207,14 @@ class FrameBuilder:
 
     def _end(self, time: int) -> None:
         """End a frame."""
+        place = self.contacts.lost() if self._lost else self.contacts.end(self.buttons)
         if self._lost:
-            self.faults[len(self.table)] = "the kernel dropped events (SYN_DROPPED)"
+            self.faults[len(self.table)] = self.place_faults[len(self.places)] = DROPPED
+        if place is not None:
+            self.places.append((time, place))
+            self.place_rows.append(self._begins)
+        else:
+            self.without_place += 1
         if self._useful:
             self.table.append((time, self._dx, self._dy, self.buttons))
             self.rows.append(self._begins)
@@ -164,8 +228,7 @@ class FrameBuilder:
     def finish(self) -> Frames | str:
         """The frames, or a text about the content if nothing moves."""
         if not any(move[1] or move[2] for move in self.table):
-            what = "absolute positions only" if self.absolute else "no relative motion"
-            return f"{what} in {self.count} events, expected REL_X or REL_Y in a complete frame"
+            return self._finish_places()
         notes = [f"frames without motion or button left aside: {self.aside}"] if self.aside else []
         if self.released:
             notes.append(f"buttons taken as released after SYN_DROPPED: {self.released}")
@@ -173,10 +236,25 @@ class FrameBuilder:
             notes.append(f"the last frame, from event {self._begins}, is not complete and left aside")
         return frames_of_counts(self.table, self.rows, notes, self.faults)
 
+    def _finish_places(self) -> Frames | str:
+        """The places of a device without relative motion."""
+        if not self.absolute or self.about.counts:
+            return f"no relative motion in {self.count} events, expected REL_X or REL_Y in a complete frame"
+        if (refusal := self.about.refusal) is not None:
+            return refusal
+        if len({place[:2] for _, place in self.places}) < 2:
+            return f"no motion in {self.count} events, expected X and Y of a contact or a pointer"
+        aside = self.without_place
+        notes = [f"frames without motion or button left aside: {aside}"] if aside else []
+        if self._begins >= 0:
+            notes.append(f"the last frame, from event {self._begins}, is not complete and left aside")
+        faults = {place: words for place, words in self.place_faults.items() if place < len(self.places)}
+        return frames_of_places(self.places, self.place_rows, notes, self.about.surface, faults)
 
-def frames(path: Path, raw: Iterable[RawEvent]) -> Frames | str:
+
+def frames(path: Path, raw: Iterable[RawEvent], about: EvdevAbout | None = None) -> Frames | str:
     """The frames of one device, or a text about its content if nothing moves; raises RecordingError."""
-    builder = FrameBuilder(path)
+    builder = FrameBuilder(path, about)
     for row, event in enumerate(raw):
         builder.add(row, event)
     return builder.finish()
@@ -196,10 +274,31 @@ def frames_of_counts(
     return Frames(events, np.array(rows, dtype=np.int64), faults or {}, notes)
 
 
+def frames_of_places(
+    places: Sequence[tuple[int, Place]],
+    rows: Sequence[int],
+    notes: list[str],
+    surface: Surface,
+    faults: dict[int, str] | None = None,
+) -> Frames:
+    """Frames from times in us and places on a surface."""
+    whole = np.array([(time, *place) for time, place in places], dtype=np.float64)
+    counts = np.full(len(whole), np.nan)
+    seconds = (np.array([time for time, _ in places]) - places[0][0]) / 1e6
+    events = EventColumns(np.column_stack([seconds, whole[:, 1:3], counts, counts, whole[:, 3]]))
+    breaks = np.flatnonzero(whole[:, 4])
+    return Frames(events, np.array(rows, dtype=np.int64), faults or {}, notes, surface, breaks)
+
+
 def _recording(
     path: Path, form: str, device: str, stream: Frames, reading: Reading, clock: str, unit: str
 ) -> Recording:
     """The recording of one device's frames, by default cut into bursts."""
+    absolute = stream.surface is not None
+    if absolute:
+        stream, unit = stream.in_px(reading)
+    elif reading.px_per_unit is not None and unit == "counts":
+        stream.notes.append(f"px_per_unit has no effect: {device} moves by counts")
     return trials_of_stream(
         stem_of(path),
         stream.events,
@@ -209,7 +308,7 @@ def _recording(
         provenance=Provenance(
             form,
             unit=unit,
-            origin="where the stream began",
+            origin="top left" if absolute else "where the stream began",
             y_axis="down",
             clock=clock,
             dpi=reading.dpi,
@@ -218,5 +317,6 @@ def _recording(
         condition={"device": device},
         faults=stream.faults,
         row_of=stream.rows,
+        breaks=stream.breaks.tolist(),
         notes=stream.notes,
     )

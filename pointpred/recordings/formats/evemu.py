@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pointpred.recording import Recording
+from pointpred.recordings.formats.evdev_contacts import bits_of
 from pointpred.recordings.formats.evdev_frames import (
+    Abouts,
     DeviceEvent,
     UnreadableLines,
     text_recording,
@@ -20,6 +22,8 @@ EVENT = re.compile(
 )
 LIKELY = re.compile(rb"^E: \d+\.\d{6} [0-9a-fA-F]{4} [0-9a-fA-F]{4} -?\d+\s*(#|$)", re.MULTILINE)
 NAME = re.compile(r"N: (.*)$")
+BITS = re.compile(r"(?:P:|B: ([0-9a-fA-F]{2}))((?: [0-9a-fA-F]{2})+)\s*$")
+RANGE = re.compile(r"A: ([0-9a-fA-F]{1,2}) (-?\d{1,10}) (-?\d{1,10}) -?\d+ -?\d+(?: (-?\d{1,10}))?\s*$")
 OTHERS = "IPBALS#"
 
 
@@ -29,20 +33,33 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
-    """Read a recording as counts; ``row`` counts the E lines that can be read; the others are in a note.
+    """Read counts or places; ``row`` counts the E lines that can be read; the others are in a note.
 
-    A line N: begins another device. Raises RecordingError.
+    A line N: begins another device, and lines P:, B: and A: say what it is. Raises RecordingError.
     """
     return text_recording(path, "evemu", _events, reading, "kernel stamps, us; which clock is not said")
 
 
-def _events(text: str, unreadable: UnreadableLines) -> Iterator[DeviceEvent]:
+def _events(text: str, unreadable: UnreadableLines, abouts: Abouts) -> Iterator[DeviceEvent]:
     """The events of the E lines."""
     device = (0, "")
+    filled = {"": 0}
     for number, line in enumerate(text.splitlines(), 1):
         if name := NAME.match(line):
             device = (device[0] + 1, name[1].strip())
+            filled = {"": 0}
             continue
+        if bits := BITS.match(line):
+            of, data = bits[1] or "", bytes.fromhex(bits[2])
+            codes = bits_of(8 * filled.get(of, 0), int.from_bytes(data, "little"))
+            filled[of] = filled.get(of, 0) + len(data)
+            if of:
+                abouts[device].add_codes(int(of, 16), codes)
+            else:
+                abouts[device].properties.update(codes)
+        elif extent := RANGE.match(line):
+            code, least, most, resolution = extent.groups(default="0")
+            abouts[device].add_range(int(code, 16), int(least), int(most), int(resolution))
         if not line.strip() or line[0] in OTHERS:
             continue
         match = EVENT.match(line)

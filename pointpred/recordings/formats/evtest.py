@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pointpred.recording import Recording
+from pointpred.recordings.formats.evdev_contacts import EV_ABS, EV_SYN
 from pointpred.recordings.formats.evdev_frames import (
-    EV_REL,
-    EV_SYN,
     SYN_DROPPED,
     SYN_REPORT,
+    Abouts,
     DeviceEvent,
     UnreadableLines,
     text_recording,
@@ -25,6 +25,10 @@ EVENT = re.compile(
 )
 MARK = re.compile(STAMP + r"[-+>]+ ?([A-Za-z_ ?]+?) ?[-+<]+\s*$")
 NAME = re.compile(r'Input device name: "(.*)"$')
+KIND = re.compile(r"  Event type (\d{1,2}) ")
+CODE = re.compile(r"    (?:Event code|Key) (\d{1,4}) ")
+LIMIT = re.compile(r"      (Min|Max|Resolution) +(-?\d{1,10})\s*$")
+PROPERTY = re.compile(r"  Property type (\d{1,2}) ")
 WHOLE = re.compile(r"-?\d+")
 UNREAD = "events that cannot be read"
 REPORTS = ("SYN_REPORT", "Report Sync")
@@ -37,26 +41,39 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
-    """Read a recording as counts; ``row`` counts the Event lines that can be read; the others are in a note.
+    """Read counts or places; ``row`` counts the Event lines that can be read; the others are in a note.
 
-    A header with a name begins another device. Raises RecordingError.
+    A header with a name begins another device, and says what it is. Raises RecordingError.
     """
     return text_recording(path, "evtest", _events, reading, "kernel stamps, us, usually the real-time clock")
 
 
-def _events(text: str, unreadable: UnreadableLines) -> Iterator[DeviceEvent]:
-    """The events of the lines that begin with Event; evtest's own header and footer are skipped."""
+def _events(text: str, unreadable: UnreadableLines, abouts: Abouts) -> Iterator[DeviceEvent]:
+    """The events of the lines that begin with Event; a header says what the device is."""
     device = (0, "")
+    kind_of, code_of, limits = -1, -1, dict[str, int]()
     for number, line in enumerate(text.splitlines(), 1):
         if name := NAME.match(line):
             device = (device[0] + 1, name[1].strip())
         if not line.startswith("Event: "):
+            if about := KIND.match(line):
+                kind_of = int(about[1])
+            elif about := CODE.match(line):
+                code_of, limits = int(about[1]), {}
+                abouts[device].add_codes(kind_of, [code_of])
+            elif about := PROPERTY.match(line):
+                abouts[device].properties.add(int(about[1]))
+            elif (about := LIMIT.match(line)) and kind_of == EV_ABS:
+                limits[about[1]] = int(about[2])
+                abouts[device].add_range(
+                    code_of, limits.get("Min", 0), limits.get("Max", 0), limits.get("Resolution", 0)
+                )
             continue
         event, mark = EVENT.match(line), MARK.match(line)
         if event:
             seconds, micros, kind, code, value = event.groups()
             time = int(seconds) * 1_000_000 + int(micros)
-            if int(kind) > EV_REL:
+            if int(kind) > EV_ABS:  # of which the values are of other kinds
                 yield device, (time, int(kind), int(code), 0)
             elif WHOLE.fullmatch(value):
                 yield device, (time, int(kind), int(code), int(value))

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import msgspec
 
-from pointpred.devices.hid import ReportDecoder, parse_descriptor
+from pointpred.devices.hid import PositionValues, ReportDecoder, parse_descriptor, place_of
+from pointpred.devices.surface import ContactReports, Place
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
 from pointpred.recordings.encodings import read_text
@@ -15,6 +16,7 @@ from pointpred.recordings.formats.evdev_frames import (
     Frames,
     UnreadableLines,
     frames_of_counts,
+    frames_of_places,
     recording_of_devices,
 )
 from pointpred.recordings.reading import AS_IS, Reading
@@ -26,12 +28,15 @@ CLOCK = "hid-recorder's own stamps, us from the first report"
 
 
 class _Device(msgspec.Struct):
-    """One device of a file: its name, its descriptor and its pointer events so far."""
+    """One device of a file: its name, its descriptor, and its pointer events and places so far."""
 
     name: str = ""
     descriptor: ReportDecoder | None = None
+    contacts: ContactReports = msgspec.field(default_factory=ContactReports)
     events: list[tuple[int, int, int, int]] = []
     rows: list[int] = []
+    places: list[tuple[int, Place]] = []
+    place_rows: list[int] = []
     aside: int = 0
     why: str = "no report descriptor"
 
@@ -42,10 +47,11 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
-    """Read the relative reports of every mouse, as counts; ``row`` counts the E lines of the file.
+    """Read every mouse, as counts, pen and touch screen, as places; ``row`` counts the E lines of the file.
 
     Reports without x, y and button, unreadable reports and lines of other kinds (``P:``, ``B:``) are ignored
-    and counted in notes; devices without relative x and y are named in a note.
+    and counted in notes, as are the places of a device that has moved by counts; devices without a pointer's
+    x and y are named in a note.
     Raises RecordingError, naming the line of a descriptor that cannot be read.
     """
     devices: list[_Device] = []
@@ -54,7 +60,7 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     unreadable = UnreadableLines()
     for number, line in enumerate(read_text(path).splitlines(), 1):
         letter, _, rest = (part.strip() for part in line.partition(":"))
-        if current not in numbers or (letter == "R" and numbers[current].events):
+        if current not in numbers or (letter == "R" and (numbers[current].events or numbers[current].places)):
             numbers[current] = _Device()  # the number of a device in another recording, too
             devices.append(numbers[current])
         device = numbers[current]
@@ -79,10 +85,16 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
 
 def _frames(device: _Device) -> Frames | str:
     """The frames of a device, or a text about its content if nothing moves."""
-    if not any(event[1] or event[2] for event in device.events):
-        return device.why or f"no motion in {len(device.events)} reports, expected a mouse that moves"
     aside = [f"reports without motion or button left aside: {device.aside}"] if device.aside else []
-    return frames_of_counts(device.events, device.rows, aside)
+    if any(event[1] or event[2] for event in device.events):
+        if device.places:
+            aside.append(f"positions of a device that moves by counts left aside: {len(device.places)}")
+        return frames_of_counts(device.events, device.rows, aside)
+    decoder = device.descriptor
+    if decoder and decoder.surface and len({place[:2] for _, place in device.places}) > 1:
+        return frames_of_places(device.places, device.place_rows, aside, decoder.surface)
+    reports = len(device.events) + len(device.places)
+    return device.why or f"no motion in {reports} reports, expected a mouse that moves"
 
 
 def _describe(path: Path, number: int, rest: str, device: _Device) -> None:
@@ -93,6 +105,7 @@ def _describe(path: Path, number: int, rest: str, device: _Device) -> None:
         raise RecordingError(f"{path}: line {number}: {len(data)} bytes, expected as many as R: says")
     try:
         device.descriptor, device.why = parse_descriptor(data), ""
+        device.contacts = ContactReports()
     except RecordingError as error:
         device.why = str(error)
 
@@ -116,9 +129,17 @@ def _report(rest: str, device: _Device, row: int) -> str:
     if decoded is None or layout is None or not layout.points:
         device.aside += 1
         return ""
+    time = int(match.group(1)) * 1_000_000 + int(match.group(2))
+    if isinstance(decoded, PositionValues) or not device.descriptor.counts:
+        place = place_of(device.contacts, decoded)
+        if place is None:
+            device.aside += 1
+        else:
+            device.places.append((time, place))
+            device.place_rows.append(row)
+        return ""
     dx, dy, pressed, mask, _, _ = decoded
     before = device.events[-1][3] if device.events else 0
-    time = int(match.group(1)) * 1_000_000 + int(match.group(2))
     device.events.append((time, dx, dy, (before & ~mask) | pressed))
     device.rows.append(row)
     return ""

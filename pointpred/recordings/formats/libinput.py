@@ -14,6 +14,7 @@ import yaml
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
 from pointpred.recordings.encodings import open_text
+from pointpred.recordings.formats.evdev_contacts import EV_KEY, EV_REL, EvdevAbout
 from pointpred.recordings.formats.evdev_frames import (
     Frames,
     RawEvent,
@@ -28,6 +29,8 @@ LOADER: Any = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
 EVENTS = re.compile(r" +events:\s*(?:#.*)?$")
 ENTRY = re.compile(r" +- (\w+):")
 ROW = re.compile(r" +- \[ *(\d{1,10}), *(\d{1,6}), *(\d{1,5}), *(\d{1,5}), *(-?\d{1,10}) *\]\s*(?:#.*)?$")
+NUMBER = re.compile(r"-?\d{1,10}")
+ABSINFO = ("minimum", "maximum", "fuzz", "flat", "resolution")
 MOST_ABOUT = 1 << 20
 """Most characters of a device's description before its events; a touchpad has some 10,000."""
 
@@ -41,7 +44,7 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> Recording:
-    """Read the evdev events of every device that moves, as counts; ``row`` counts a device's events.
+    """Read the evdev events of every device that moves, counts or places; ``row`` counts a device's events.
 
     Assumes libinput's layout of one event per line. Raw HID reports (``hid``) repeat the evdev events and are
     ignored; devices that never move and lines that cannot be read are named in notes.
@@ -70,12 +73,12 @@ def _device(
     path: Path, index: int, lines: Iterator[Line], unreadable: UnreadableLines
 ) -> tuple[str, Frames | str]:
     """The name of a device and its frames, or a text about its content if nothing moves."""
-    name = _name(path, index, takewhile(lambda line: not EVENTS.match(line[2]), lines))
-    return name, frames(path, _events(lines, unreadable))
+    name, about = _about(path, index, takewhile(lambda line: not EVENTS.match(line[2]), lines))
+    return name, frames(path, _events(lines, unreadable), about)
 
 
-def _name(path: Path, index: int, lines: Iterable[Line]) -> str:
-    """The device's name, from before its events."""
+def _about(path: Path, index: int, lines: Iterable[Line]) -> tuple[str, EvdevAbout]:
+    """The device's name and what else it says of itself before its events."""
     text, first = "", 0
     for _, number, line in lines:
         first = first or number
@@ -87,8 +90,27 @@ def _name(path: Path, index: int, lines: Iterable[Line]) -> str:
     except (yaml.YAMLError, ValueError, TypeError, KeyError, RecursionError) as error:
         words = " ".join(str(error).split())
         raise RecordingError(f"{path}: no YAML in the device from line {first} on: {words}") from error
-    about = device.get("evdev") if isinstance(device, dict) else None
-    return str(about.get("name", index)) if isinstance(about, dict) else str(index)
+    said = device.get("evdev") if isinstance(device, dict) else None
+    about = EvdevAbout()
+    if not isinstance(said, dict):
+        return str(index), about
+    codes, ranges = (
+        part if isinstance(part := said.get(name), dict) else {} for name in ("codes", "absinfo")
+    )
+    for kind in (EV_KEY, EV_REL):
+        about.add_codes(kind, _numbers(codes.get(str(kind))))
+    about.properties.update(_numbers(said.get("properties")))
+    for code, row in ranges.items():
+        numbers = _numbers([code, *row] if isinstance(row, list) else None)
+        if len(numbers) == 1 + len(ABSINFO):
+            about.add_range(numbers[0], numbers[1], numbers[2], numbers[-1])
+    return str(said.get("name", index)), about
+
+
+def _numbers(items: Any) -> list[int]:
+    """The whole numbers of a list of words."""
+    words = items if isinstance(items, list) else []
+    return [int(word) for word in words if isinstance(word, str) and NUMBER.fullmatch(word)]
 
 
 def _events(lines: Iterable[Line], unreadable: UnreadableLines) -> Iterator[RawEvent]:

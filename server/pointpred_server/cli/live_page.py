@@ -39,9 +39,11 @@ def live_feed(session: LiveSession, predictor: str, cpi: float | None, dpi: floa
     feed = LiveFeed(attached, lambda: status_of(session.state()))
 
     def update_device(pairs: Sequence[Pair]) -> None:
-        """Another device may be followed by now."""
-        if (feed.attached.name, feed.attached.clock) != (source.name, source.clock):
-            feed.attached = replace(feed.attached, name=source.name, clock=source.clock)
+        """Another device may be followed by now, which may tell its positions."""
+        was, name, clock = feed.attached, source.name, source.clock
+        space, words = session.space, session.words
+        if (was.name, was.clock, was.space, was.words) != (name, clock, space, words):
+            feed.attached = replace(was, name=name, clock=clock, space=space, words=words)
 
     session.watchers += [update_device, feed.take]
     return feed
