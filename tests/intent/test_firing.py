@@ -160,7 +160,7 @@ def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage)
         ("watch(document.body, { threshold: 0 })", "threshold must be a number in [0.000001, 1], received 0"),
         ("watch(document.body, { hitSlop: '8' })", "hitSlop top must be a number in [0, 10000], received 8"),
         ("watch(document.body, { hitSlop: { up: 8 } })", "unknown side up of hitSlop"),
-        ("watch(document.body, { enabled: 1 })", "enabled must be one of a boolean, a function, received 1"),
+        ("watch(document.body, { enabled: 1 })", "enabled must be a boolean or a function, received 1"),
         (
             "const frame = document.createElement('iframe'); document.body.append(frame);"
             "onIntent(frame.contentDocument.body, () => {})",
@@ -172,7 +172,7 @@ def test_an_error_of_the_page_keeps_no_other_from_being_called(page: IntentPage)
         ),
         (
             "watch(document.body, { policy: 'both' })",
-            "policy must be one of prefetch, highlight, received both",
+            "policy must be prefetch or highlight, received both",
         ),
         ("prefetchLink(document.body)", "a link (<a href> or <area href>) is needed, received <body>"),
         ("prefetchLink('a', { watched: true })", "unknown option watched; known: policy, "),

@@ -18,9 +18,7 @@ export function checked(given, defaults, known) {
     const value = options[name];
     if (typeof values[0] === "number") checkNumber(name, value, /** @type {number[]} */ (values));
     else if (value !== undefined && !values.includes(value) && !values.includes(`a ${typeof value}`))
-      throw new TypeError(
-        `${name} must be ${values.length > 1 ? "one of " : ""}${values.join(", ")}, received ${value}`,
-      );
+      throw new TypeError(`${name} must be ${values.join(" or ")}, received ${value}`);
   }
   return options;
 }

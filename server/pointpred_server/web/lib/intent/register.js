@@ -40,7 +40,6 @@ const DEFAULTS = {
   attributes: false,
   onError: undefined,
 };
-const NO_SLOP = { top: 0, right: 0, bottom: 0, left: 0 };
 
 /** The trackers in use, by their predictor and service. @type {Map<string, Tracker>} */
 export const trackers = new Map();
@@ -144,10 +143,10 @@ function optionsOf({ defaults, choices }, given) {
 
 /** Of each side, how far the element counts beyond it, px. */
 function sidesOf(slop) {
-  const sides = { ...NO_SLOP };
+  const sides = { top: 0, right: 0, bottom: 0, left: 0 };
   const given = Object(slop) === slop ? slop : { top: slop, right: slop, bottom: slop, left: slop };
   for (const [side, px] of Object.entries(given)) {
-    if (!(side in NO_SLOP)) throw new TypeError(`unknown side ${side} of hitSlop`);
+    if (!(side in sides)) throw new TypeError(`unknown side ${side} of hitSlop`);
     sides[side] = px ?? 0;
     checkNumber(`hitSlop ${side}`, sides[side], [0, 10000]);
   }

@@ -79,12 +79,10 @@ export class Registration {
     this.#mark(cause.reason);
     ledger.fire(this, cause);
     const answer = attempt(() => this.#callback(this.firing), this.#fail);
-    if (typeof answer?.then === "function")
-      answer.then(
-        (late) => this.#take(late, end),
-        () => {},
-      );
-    else this.#take(answer, end);
+    Promise.resolve(answer).then(
+      (late) => this.#take(late, end),
+      () => {}, // told already
+    );
   }
 
   /** An entry fires when the pointer has stayed for a while, if it is asked to; anything else at once. @param {(t: number) => void} fire */
