@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -29,8 +30,10 @@ def command(capsys: pytest.CaptureFixture[str]) -> Callable[..., Left]:
     def run(*arguments: str | Path) -> Left:
         from pointpred.cli import main
 
+        handlers = logging.root.handlers[:]
         with pytest.raises(SystemExit) as left:
             main([str(argument) for argument in arguments])
+        logging.root.handlers[:] = handlers  # `serve` logs to the stderr of this test
         told = capsys.readouterr()
         return Left(int(left.value.code or 0), told.out, told.err)
 

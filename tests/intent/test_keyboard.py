@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.intent.page import IntentPage
+from tests.intent.page import START, IntentPage
 from tests.server import browser
 
 pytestmark = browser.needed
@@ -69,6 +69,8 @@ def test_the_mouse_moves_no_focus(page: IntentPage) -> None:
 
 def test_what_cannot_be_loaded_is_told_once_and_tried_again(page: IntentPage) -> None:
     page.visitor.page.route("**/later.js", lambda route: route.abort())
+    page.visitor.open(page.visitor.page.url)
+    page.value(START.replace(', "later"', ""))
     page.value(
         "{ window.told = []; for (const name of ['error', 'unhandledrejection'])"
         " addEventListener(name, (event) => { told.push(event.type); event.preventDefault(); }) }"

@@ -104,12 +104,15 @@ class Restarted:
 
     def start(self) -> None:
         """Start it and wait until it is ready."""
-        options = {"port": self.port, "max-targets": self.number, "trust-proxy": "127.0.0.1"}
-        options |= {"max-sessions": BROWSERS + PYTHONS, "log-format": "json"}
-        words = [f"--{name}={value}" for name, value in options.items()]
+        words = [f"--port={self.port}", "--trust-proxy=127.0.0.1"]
+        limits = {"MAX_TARGETS": self.number, "MAX_SESSIONS": BROWSERS + PYTHONS, "LOG_FORMAT": "json"}
         self.process = subprocess.Popen(
             [sys.executable, "-m", "pointpred", "serve", *words],
-            env={**os.environ, "POINTPRED_TOKEN": TOKEN},
+            env={
+                **os.environ,
+                "POINTPRED_TOKEN": TOKEN,
+                **{f"POINTPRED_{name}": str(value) for name, value in limits.items()},
+            },
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
