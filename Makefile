@@ -25,7 +25,7 @@ demo: $(RUNS)  ## write the page for a static host into FOLDER (demo)
 	$(BIN)/pointpred demo --force --out '$(or $(FOLDER),demo)'
 
 test: $(READY)  ## set up and run every test
-	$(BIN)/python -m pytest -n 2 --dist loadfile -q --durations=10
+	$(BIN)/python -m pytest -n 3 --dist loadfile -q --durations=10
 
 check: $(READY) $(MODULES)  ## lint, format and types
 	$(BIN)/ruff check .
