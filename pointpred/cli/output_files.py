@@ -108,9 +108,17 @@ def _is_recording(path: Path) -> bool:
 
     try:
         form = format_of(path)
-        return form is not None and (not form.tabular or form.key == "delimited")
+        if form is not None and form.key == "delimited":
+            return not _is_table_of_trials(path)
+        return form is not None and not form.tabular
     except RecordingError:  # empty or not to be read: no recording is lost
         return False
+
+
+def _is_table_of_trials(path: Path) -> bool:
+    """Whether a table is one of ``pointpred measures``, by its heading: it holds no samples."""
+    with path.open("rb") as file:
+        return b"movement_time_s" in file.readline()
 
 
 class _Formatted(msgspec.Struct):
