@@ -10,6 +10,8 @@ import pytest
 
 WRITING = {
     "convert": ("tests/data/sources/gofitts.sd3", "--out"),
+    "measures": ("sample", "--out"),
+    "measures drawn": ("sample", "--plot"),
     "reproduce": ("2.11", "--json"),
     "score": ("sample", "--predictors", "hold", "--json"),
     "score a report": ("sample", "--predictors", "hold", "--report"),
@@ -22,7 +24,8 @@ WRITING = {
 
 @pytest.mark.parametrize("name", WRITING)
 def test_a_file_that_is_there_stays(command: Callable[..., Any], tmp_path: Path, name: str) -> None:
-    ending = {"convert": ".csv", "simulate": ".csv", "train": ".npz"}.get(name, ".out")
+    endings = {"convert": ".csv", "simulate": ".csv", "train": ".npz", "measures": ".csv"}
+    ending = (endings | {"measures drawn": ".svg"}).get(name, ".out")
     target = tmp_path / f"mine_samples{ending}"
     target.write_text("mine", encoding="utf-8")
     words = [str(tmp_path / "new.npz") if word == "NEW" else word for word in WRITING[name]]
