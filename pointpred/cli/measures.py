@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import isfinite
 from pathlib import Path
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any
 
 import msgspec
 import typer
@@ -41,20 +41,13 @@ MEDIANS = {
 }
 
 
-class About(NamedTuple):
-    """What is told of a recording beside its measures."""
-
-    name: str
-    simulated: bool
-    skipped: tuple[Skip, ...]
-
-
 class SetMeasures(msgspec.Struct, frozen=True):
     """A recording in ``--json``; ``throughput`` and what follows are empty where no target is known."""
 
     name: str
     trials: int
     users: int
+    simulated: bool
     skipped: tuple[Skip, ...]
     throughput: dict[str, Any] | None
     """The mean over people of the means over their conditions, of each number of ``groups``."""
@@ -123,18 +116,18 @@ def measures(
     from pointpred.measures import movements, table_of
     from pointpred.recordings.read_files import readable
 
-    known: list[About] = []
+    known: list[tuple[str, bool, tuple[Skip, ...]]] = []
     reasons: Reasons = {}
 
     def measured() -> Iterator[tuple[str, Sequence[Any]]]:
         for recording in in_memory(files, reading, reasons) if files else _sample():
             found, skipped = movements(recording)
-            known.append(About(recording.name, recording.provenance.simulated, skipped))
+            known.append((recording.name, recording.provenance.simulated, skipped))
             yield recording.name, found
 
     trials = table_of(measured())
     columns = None if by is None else [part.strip() for part in by.split(",") if part.strip()]
-    sets = [_summary(trials, about, columns) for about in known]
+    sets = [_summary(trials, columns, *about) for about in known]
     if out is not None:
         _write(trials, out)
     if plot is not None:
@@ -148,8 +141,8 @@ def measures(
         unread = [{"file": readable(file), "reason": readable(why)} for file, why in reasons.items()]
         write_json({"version": 1, "sets": sets, "unread": unread}, json)
     if json is None or str(json) != "-":
-        for one, about in zip(sets, known, strict=True):
-            _print(one, about, trials)
+        for one in sets:
+            _print(one, trials)
     for written, file in (("measures", out), ("drawn", plot)):
         if file is not None:
             remark(f"{written}: {file}")
@@ -184,22 +177,25 @@ def _of_set(trials: Any, name: str) -> Any:
     return trials.filter(pc.equal(trials["dataset"], name))
 
 
-def _summary(trials: Any, about: About, by: list[str] | None) -> SetMeasures:
+def _summary(
+    trials: Any, by: list[str] | None, name: str, simulated: bool, skipped: tuple[Skip, ...]
+) -> SetMeasures:
     """Throughput of one recording, by person and condition, person, condition, and all in all."""
     from pointpred.measures import fitts
 
-    own = _of_set(trials, about.name)
+    own = _of_set(trials, name)
     groups = fitts.throughput(own, by)
     made = fitts.conditions_of(groups)
     people = fitts.means(groups, ["dataset", "user"])
     whole = fitts.means(people, ["dataset"]).to_pylist()
     line = fitts.fitts_line(groups)
-    _warn(own, groups, about.name)
+    _warn(own, groups, name)
     return SetMeasures(
-        about.name,
+        name,
         len(own),
         len(own["user"].unique()),
-        about.skipped,
+        simulated,
+        skipped,
         whole[0] if whole else None,
         None if line is None else msgspec.to_builtins(line),
         fitts.means(groups, made).sort_by([(name, "ascending") for name in made]).to_pylist(),
@@ -231,14 +227,14 @@ def _warn(trials: Any, groups: Any, name: str) -> None:
         )
 
 
-def _print(one: SetMeasures, about: About, trials: Any) -> None:
+def _print(one: SetMeasures, trials: Any) -> None:
     from pointpred.measures.fitts import GROUP
 
     screen = results()
     for kind, some in kinds_of(one.skipped):
         remark(f"{one.name}: skipped {len(some)}: {kind} (first: {some[0].place})")
     noun = "person" if one.users == 1 else "people"
-    people = f"{one.users} {'simulated ' if about.simulated else ''}{noun}"
+    people = f"{one.users} {'simulated ' if one.simulated else ''}{noun}"
     screen.print(f"{one.name}: {counted(one.trials, 'trial')}, {people}", style="bold", markup=False)
     if not one.trials:
         return

@@ -108,15 +108,18 @@ def throughput(table: Any, by: Sequence[str] | None = None, *, time: str = RESPO
     along, across = (_numbers(grouped[f"end_{axis}_px_variance"]) for axis in ("along", "across"))
     width, width_2d = WIDTH_IN_SDS * np.sqrt(along), WIDTH_IN_SDS * np.sqrt(along + across)
     bits, took = _bits(mean["effective_distance_px"], width), np.where(mean[time] > 0.0, mean[time], nan)
-    values = (
-        _numbers(grouped["count_all"]),
-        mean["error"],
-        *(mean[name] for name in (RESPONSE, "movement_time_s", "target_distance_px", "id_bits")),
-        *(mean["effective_distance_px"], width, bits, bits / took),
-        _bits(mean["target_distance_px"], width) / took,
-        *(width_2d, _bits(mean["amplitude_px"], width_2d) / took),
-    )
-    made = {name: pa.array(column, from_pandas=True) for name, column in zip(GROUP, values, strict=True)}
+    values = {
+        "trials": _numbers(grouped["count_all"]),
+        "error_rate": mean["error"],
+        **{name: mean[name] for name in averaged if name in GROUP},
+        "effective_width_px": width,
+        "effective_id_bits": bits,
+        "throughput_bits_s": bits / took,
+        "iso_throughput_bits_s": _bits(mean["target_distance_px"], width) / took,
+        "effective_width_2d_px": width_2d,
+        "throughput_2d_bits_s": _bits(mean["amplitude_px"], width_2d) / took,
+    }
+    made = {name: pa.array(values[name], from_pandas=True) for name in GROUP}
     made["trials"] = made["trials"].cast(pa.int64())
     return pa.table({name: grouped[name] for name in keys} | made)
 
@@ -130,8 +133,8 @@ def _numbers(column: Any) -> FloatArray:
 def _bits(distance: FloatArray, width: FloatArray) -> FloatArray:
     """The index of difficulty, bits; NaN where it is not defined."""
     sound = (distance > 0.0) & (width > LEAST_SPREAD * distance)
-    ratio = np.divide(distance, width, out=np.full(len(distance), nan), where=sound)
-    return np.log2(ratio + 1.0)
+    ratio: FloatArray = np.divide(distance, width, out=np.full(len(distance), nan), where=sound)
+    return np.log2(ratio + 1.0, dtype=np.float64)
 
 
 def means(groups: pa.Table, by: Sequence[str]) -> pa.Table:

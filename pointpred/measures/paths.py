@@ -30,9 +30,9 @@ def reversals(values: FloatArray, least: float = 0.0) -> IntArray:
     steps = np.diff(values)
     moving = np.flatnonzero(steps)
     turned = np.diff(np.sign(steps[moving])) != 0
-    turns = moving[1:][turned]
+    turns: IntArray = moving[1:][turned].astype(np.int64)
     if least <= 0.0 or not len(turns):
-        return turns.astype(np.int64)
+        return turns
     found: list[int] = []
     rising, falling, low, high = True, True, 0, 0  # both until the first move
     for at in (*turns.tolist(), len(values) - 1):

@@ -68,7 +68,7 @@ def velocities(t: FloatArray, x: FloatArray, y: FloatArray, begin_s: float | Non
         velocity = np.gradient(np.convolve(path, kernel, "valid"), step)
         columns.append((velocity[more:-more], np.gradient(velocity, step)[more:-more]))
     (vx, ax), (vy, ay) = columns
-    return Velocities(step * np.arange(count), vx, vy, ax, ay)
+    return Velocities(step * np.arange(count, dtype=np.float64), vx, vy, ax, ay)
 
 
 def persistent_submovements(speed: FloatArray, share: float = SHARE) -> int:
@@ -87,26 +87,24 @@ def persistent_submovements(speed: FloatArray, share: float = SHARE) -> int:
 def meyer_submovements(velocity: FloatArray, acceleration: FloatArray, share: float = SHARE) -> int:
     """How many sub-movements Meyer's criteria find in a velocity along a line, px/s.
 
-    A new one begins where the velocity changes its direction (the movement returns), where the speed rises
-    again (its rate passes through zero upwards), and where the braking eases and grows again. Meyer et al.
-    filtered positions and took every such place; here the speed must exceed ``share`` of the highest and 15
-    px/s in each direction, and the acceleration turn by more than ``share`` of its largest magnitude and 940
-    px/s².
+    A new one begins where the velocity passes through zero (the movement returns, or goes on after a stop),
+    where the speed rises again (its rate passes through zero upwards), and where the braking eases and grows
+    again. Meyer et al. filtered positions and took every such place; here the speed must exceed ``share`` of
+    the highest and 15 px/s between two zeros, and the acceleration turn by more than ``share`` of its largest
+    magnitude and 940 px/s².
 
     Reference: Meyer, Abrams, Kornblum, Wright and Smith 1988, Optimality in human motor performance.
     """
     slow = max(share * float(np.abs(velocity).max(initial=0.0)), SPEED_NOISE_PX_S)
     least = max(share * float(np.abs(acceleration).max(initial=0.0)), ACCELERATION_NOISE_PX_S2)
     ends = [0, *(np.flatnonzero(np.diff(np.sign(velocity))) + 1).tolist(), len(velocity)]
-    count, direction = 0, 0.0
+    count = 0
     for first, stop in pairwise(ends):
-        piece = velocity[first:stop]
-        if np.abs(piece).max(initial=0.0) <= slow:
+        if np.abs(velocity[first:stop]).max(initial=0.0) <= slow:
             continue
-        count += np.sign(piece[0]) != direction
-        direction = np.sign(piece[0])
-        forwards = direction * acceleration[first:stop]
+        count += 1
+        forwards = np.sign(velocity[first]) * acceleration[first:stop]
         braking = int(np.argmax(forwards < 0.0)) if (forwards < 0.0).any() else stop
         for turn in reversals(forwards, least).tolist():
-            count += turn > braking and forwards[turn + 1] < forwards[turn]
-    return int(count)
+            count += int(turn > braking and forwards[turn + 1] < forwards[turn])
+    return count

@@ -159,8 +159,8 @@ def _of_path(one: Movement) -> dict[str, Cell]:
 
 
 def _of_speed(one: Movement) -> dict[str, Cell]:
-    rows = np.vstack([one.before, np.column_stack([one.t, one.x, one.y])])
-    found = speeds.velocities(*rows.T, begin_s=float(one.t[0]))
+    t, x, y = np.vstack([one.before, np.column_stack([one.t, one.x, one.y])]).T
+    found = speeds.velocities(t, x, y, float(one.t[0]))
     speed, acceleration = found.speed, found.acceleration
     fastest, hardest = int(speed.argmax()), int(acceleration.argmax())
     took = float(one.t[-1] - one.t[0])

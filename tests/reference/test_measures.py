@@ -202,19 +202,19 @@ def test_speeds_and_submovements_found_by_scipy(seed: int) -> None:
     peaks, _ = find_peaks([0.0, *found.speed, 0.0], prominence=least)
     assert persistent_submovements(found.speed) == len(peaks) > 2
 
-    count, last, largest = 0, 0.0, max(SHARE * np.abs(acceleration).max(), ACCELERATION_NOISE_PX_S2)
+    count, largest = 0, max(SHARE * np.abs(acceleration).max(), ACCELERATION_NOISE_PX_S2)
     signs = np.sign(found.vx)
     for piece in np.split(np.arange(len(signs)), np.flatnonzero(np.diff(signs)) + 1):
         if np.abs(found.vx[piece]).max() > max(SHARE * np.abs(found.vx).max(), SPEED_NOISE_PX_S):
             push = signs[piece[0]] * acceleration[piece]
             eased, _ = find_peaks(push, prominence=largest)
-            count += int(signs[piece[0]] != last) + sum(bool((push[:k] < 0.0).any()) for k in eased)
-            last = signs[piece[0]]
+            count += 1 + sum(bool((push[:k] < 0.0).any()) for k in eased)
     assert meyer_submovements(found.vx, found.ax) == count > 2
 
 
 @pytest.mark.parametrize(
-    ("ends", "pause_s", "count"), [([400.0], 0.0, 1), ([350.0, 400.0], 0.1, 2), ([430.0, 400.0], 0.0, 2)]
+    ("ends", "pause_s", "count"),
+    [([400.0], 0.0, 1), ([350.0, 400.0], 0.1, 2), ([350.0, 400.0], 0.8, 2), ([430.0, 400.0], 0.0, 2)],
 )
 def test_submovements_that_are_known(ends: list[float], pause_s: float, count: int) -> None:
     """One reach; one that stops short and is corrected; one that goes too far and returns."""
@@ -239,13 +239,13 @@ def test_an_easing_of_the_braking_is_a_submovement_of_meyers_only() -> None:
     assert meyer_submovements(*found.along(1.0, 0.0)) == 2
 
 
-def test_reversals_are_what_persistence_leaves() -> None:
-    values = wandering(1)[1]
-    for least in (0.0, 5.0, 20.0):
-        highs, _ = find_peaks(values, prominence=max(least, 0.5) + 1e-9 * (least > 0))
-        turns = reversals(values, least)
-        assert [k for k in turns if (values[k] > values[[0, -1]]).any() and k in highs] != []
-        assert np.all(np.abs(np.diff(values[turns])) > least)
+@pytest.mark.parametrize("least", [0.0, 5.0, 20.0])
+def test_reversals_are_what_persistence_leaves(least: float) -> None:
+    values = np.array([-1e6, *wandering(1)[1], -1e6])
+    peaks, _ = find_peaks(values, prominence=least + 0.5)  # values are whole
+    turns = reversals(values, least)
+    assert values[turns[::2]].tolist() == values[peaks].tolist()
+    assert len(turns) == 2 * len(peaks) - 1 > 1
 
 
 # Throughput and the line, by pandas and statsmodels
@@ -357,6 +357,21 @@ def test_the_table_agrees_with_pandas_where_pandas_can_tell(circle: Recording, t
     assert (table["dwell_time_s"] < table["movement_time_s"]).all()
     ids = [log2(a / w + 1.0) for a, w in zip(table["target_distance_px"], table["target_w"], strict=True)]
     assert table["id_bits"].to_list() == pytest.approx(ids, **EXACT)
+
+
+def test_conditions_are_what_an_experiment_varies() -> None:
+    columns: dict[str, list[Any]] = {
+        "user": ["ann"] * 8 + ["bob"] * 8,
+        "width": [1.0, 2.0] * 8,
+        "order": ["a", "a", "b", "b"] * 4,
+        "group": ["x"] * 8 + ["y"] * 8,  # of people
+        "stimulus": [f"s{k % 8}" for k in range(16)],  # of single trials
+        "score": list(range(16)),
+        "hit": [0.0, 1.0] * 8,
+        "from_x": [0.0, 1.0] * 8,
+        "phase": [None, "main"] * 8,
+    }
+    assert conditions(pd.DataFrame(columns)) == ["width", "order"]
 
 
 def test_what_is_not_known_is_empty_and_names_stay_apart() -> None:
