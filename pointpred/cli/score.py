@@ -62,7 +62,12 @@ def score(
     ] = "all",
     json: Numbers = None,
     report: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write a report as one HTML file.")
+        Path | None,
+        typer.Option(
+            metavar="FILE|FOLDER",
+            help="Write a report as one HTML file; to a folder (a name without .html), with every figure as "
+            "SVG and PDF and every table as CSV and LaTeX.",
+        ),
     ] = None,
     targets: Annotated[
         bool,
@@ -98,6 +103,8 @@ def score(
 
       pointpred score *.sd3 --report out.html
 
+      pointpred score study_samples.parquet --report paper
+
       pointpred score my.csv --columns t=time,x=px,y=py,user=sid,trial=n --time-unit ms
 
       pointpred score session.csv --json - | jq '.sets[0].predictors'
@@ -107,7 +114,8 @@ def score(
       pointpred score million_samples.parquet --predictors switched --checkpoints done --cluster local
     """
     names = predictor_names(predictors)
-    check_targets({"--json": json, "--report": report}, files or (), force)
+    page = report / "report.html" if report is not None and report.is_dir() else report
+    check_targets({"--json": json, "--report": page}, files or (), force)
     parameters = with_coefficients(names, coefficients)
     reasons: Reasons = {}
     if report is not None:

@@ -42,3 +42,16 @@ def test_results_are_replaced_with_force(command: Callable[..., Any], tmp_path: 
     left = command("score", "sample", "--predictors", "hold", "--json", target, "--force")
     assert left.code == 0, left.err
     assert target.read_text(encoding="utf-8").startswith("{")
+
+
+def test_a_report_in_a_folder_is_replaced_with_force_only(
+    command: Callable[..., Any], tmp_path: Path
+) -> None:
+    (tmp_path / "paper").mkdir()
+    page = tmp_path / "paper" / "report.html"
+    page.write_text("mine", encoding="utf-8")
+    words = ("score", "sample", "--predictors", "hold", "--report", page.parent)
+    left = command(*words)
+    assert left.code == 2
+    assert f"{page} exists" in left.err
+    assert page.read_text(encoding="utf-8") == "mine"
