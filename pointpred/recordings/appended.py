@@ -21,9 +21,8 @@ from pointpred.recordings import arrow_tables
 from pointpred.recordings.arrow_tables import EVENT_COLUMNS, Header, IntArray, parse_header, says_appended
 from pointpred.recordings.encodings import read_unpacked, stem_of
 from pointpred.recordings.reading import AS_IS, Cut, Reading, row_name
-from pointpred.recordings.segmentation import trials_of_stream
+from pointpred.recordings.samples import Samples, recording_of
 from pointpred.recordings.trials import TARGET, assemble, condition_cells
-from pointpred.records import EventColumns
 
 FORMAT = "pointpred recorder"
 LIVE = "pointpred live"
@@ -69,16 +68,17 @@ def read(path: Path, trials: Path | None, reading: Reading = AS_IS) -> Recording
         elif reading.cut is None and provenance.format == LIVE and not (events[:, -1] > 0).any():
             how = "bursts"
             notes.append("no button was pressed: cut at pauses")
-        return trials_of_stream(
-            name,
-            EventColumns(events),
-            how,
-            reading,
-            user=user,
+        samples = Samples(
+            name=name,
+            table=events,
+            row_of=np.arange(len(events), dtype=np.int64),
             provenance=provenance,
-            breaks=breaks.tolist(),
+            one_user=user,
+            cut=how,
+            parts=np.searchsorted(breaks, np.arange(len(events)), side="right"),
             notes=notes,
         )
+        return recording_of(samples, reading)
     encoded = marks.dictionary_encode()
     group = arrow_tables.as_array(pc.fill_null(encoded.indices, -1)).astype(np.int64)
     names = encoded.dictionary.to_pylist()

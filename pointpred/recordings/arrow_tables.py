@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Skip
 from pointpred.recordings.encodings import UTF_8, head_of, is_ended, open_utf8
-from pointpred.recordings.reading import row_name
+from pointpred.recordings.reading import Cut, TimeUnit, row_name
 from pointpred.records import CPI, DPI, EVENT_FIELDS, FloatArray
 
 AT_ONCE = 1024 * 1024
@@ -40,6 +40,8 @@ NUMBER = r"^[ \t]*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[ \t]*$"
 NOT_A_NUMBER = r"^[ \t]*[+-]?(?i:nan?)?[ \t]*$"
 CELL_MOST = 40
 LARGEST_BLOCK = 1 << 25
+JOINTS = "+|/;"
+"""Separators of joined columns: the first that occurs in no cell is used."""
 UNENDED = "the last line has no end: the file may be cut"
 PLAIN = (
     pa.types.is_string,
@@ -144,15 +146,33 @@ class ColumnTable(msgspec.Struct, frozen=True):
     A cell is a str, a number, a bool, ``None``, a date and time, or a list of numbers (a row a trial);
     a column is a list, a numpy array or an Arrow array. ``format`` for the provenance. ``row_of``: the file's
     row of each row if some were left out, which ``skipped`` names. ``unsure``: columns of ambiguous numbers,
-    and why.
+    and why. ``known``: what the format says itself; ``None`` for any table.
     """
 
     columns: dict[str, Any]
     format: str
     notes: tuple[str, ...] = ()
     skipped: tuple[Skip, ...] = ()
-    row_of: IntArray | None = None
+    row_of: Sequence[int] | IntArray | None = None
     unsure: dict[str, str] = {}
+    known: Known | None = None
+
+
+class Known(msgspec.Struct, frozen=True, kw_only=True):
+    """What a format says of its columns: which is which field, and their units.
+
+    ``fields``: field -> column; without ``user`` there is one, ``one_user``. ``gain``: px in a unit of x and
+    of y, below 0 where an axis is turned. ``cut``: how a stream is cut by default. ``faults``: what is wrong
+    with a row.
+    """
+
+    fields: dict[str, str]
+    time_unit: TimeUnit
+    provenance: Provenance
+    gain: tuple[float, float] = (1.0, 1.0)
+    one_user: str | None = None
+    cut: Cut | None = None
+    faults: dict[int, str] = {}
 
 
 def distinct_names(names: Sequence[str]) -> list[str]:
@@ -356,6 +376,17 @@ def words(column: Any) -> Any:
     return column if pa.types.is_string(column.type) else pc.cast(column, pa.string())
 
 
+def join_columns(columns: list[Any]) -> Any:
+    """The words of several columns as one column, such as ``2+7``; null if one of them is empty."""
+    columns = [pc.utf8_trim_whitespace(words(column)) for column in columns]
+    columns = [pc.if_else(pc.equal(column, ""), None, column) for column in columns]
+    taken = {
+        mark for mark in JOINTS for column in columns if pc.any(pc.match_substring(column, mark)).as_py()
+    }
+    mark = next((mark for mark in JOINTS if mark not in taken), " ++ ")
+    return pc.binary_join_element_wise(*columns, mark, null_handling="emit_null")
+
+
 def is_words(column: Any) -> bool:
     """Whether the cells of a column are text."""
     return bool(pa.types.is_string(column.type) or pa.types.is_large_string(column.type))
@@ -391,6 +422,21 @@ def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
         faults.setdefault(row, str(array[row]))
         array[row] = np.nan
     return array, faults
+
+
+def as_arrow(column: Any) -> Any:
+    """A column as an Arrow array; cells of several types become text."""
+    if isinstance(column, pa.ChunkedArray):
+        return column
+    try:
+        array = pa.array(column)
+    except MemoryError:  # one of Arrow's, too: text takes even more
+        raise
+    except (pa.ArrowException, TypeError, ValueError, OverflowError):
+        array = pa.array([None if cell is None else str(cell) for cell in column], pa.string())
+    if pa.types.is_null(array.type):
+        array = pc.cast(array, pa.string())
+    return pa.chunked_array([array])
 
 
 def float64(column: Any) -> FloatArray:

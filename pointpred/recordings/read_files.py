@@ -134,7 +134,7 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     notes = [] if form.key == "own" else questions(recording)
     if reading.encoding is not None and form.binary:
         notes.append(f"encoding has no effect: {form.title} is no text")
-    if reading.cut is not None and not form.streams:
+    if reading.cut is not None and form.key == "own":
         notes.append(f"cut {reading.cut!r} has no effect: {form.title} has trials of its own")
     if reading.records is not None and form.key in ONE_TABLE:
         notes.append(f"records has no effect: {form.title} is one table")

@@ -243,7 +243,7 @@ def test_a_wrong_cell_of_a_wide_table_costs_its_trial(tmp_path: Path) -> None:
     lines = wide(("t", "x", "y"), 6)
     lines[1] = lines[1].replace("left,16", "left,soon", 1)
     recording = one(lines_file(tmp_path / "wide.csv", *lines), Reading(time_unit="ms"))
-    assert [skip.reason for skip in recording.skipped] == ["sample 0: 'soon' is not a number"]
+    assert [skip.reason for skip in recording.skipped] == ["t is 'soon', expected a number"]
 
 
 def test_columns_given_by_their_places_stay_in_them(tmp_path: Path) -> None:

@@ -22,9 +22,9 @@ from pointpred.recordings import (
     nested_records,
     read_any,
 )
+from pointpred.recordings.columns.list_cells import is_list, split
 from pointpred.recordings.columns.names import guess
 from pointpred.recordings.formats import json_records as records_json
-from pointpred.recordings.trials import is_list, split
 from tests.unit.writing_containers import NAMES, ROWS, TRIALS, nested
 
 SAMPLES = [{"t": 8.0 * at, "x": 2.0 * at, "y": float(at % 3)} for at in range(20)]
