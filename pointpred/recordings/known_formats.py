@@ -10,7 +10,7 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.recordings import appended, arrow_tables, own
+from pointpred.recordings import own
 from pointpred.recordings.arrow_tables import ColumnTable
 from pointpred.recordings.columns.table_recording import recording_of_table
 from pointpred.recordings.encodings import head_of, text_in
@@ -38,8 +38,6 @@ from pointpred.recordings.formats import (
 )
 from pointpred.recordings.reading import AS_IS, Reading
 
-OWN_NAMES = (set(own.REQUIRED), {"user", "trial", "n_samples"})
-"""The columns that identify pointpred's own samples and trials without their mark."""
 ADVICE = (
     ((b"RDX2\n", b"RDX3\n"), "R data are not read; in R: write.csv(NAME, 'table.csv', row.names = FALSE)"),
     (
@@ -99,35 +97,20 @@ def _log(key: str, module: Any, **more: Any) -> Format:
     return Format(key, module.TITLE, module.recognises, recording, streams=True, **more)
 
 
-def _is_own(head: bytes) -> bool:
-    """Whether a text that begins with ``head`` is one of pointpred's own."""
-    first = head.split(b"\n", 1)[0]
-    named = first.decode("utf-8", "replace").replace('"', "").replace("\r", "").split(",")
-    return first.startswith(arrow_tables.MARK) or any(needed <= set(named) for needed in OWN_NAMES)
-
-
-def _is_own_parquet(path: Path, head: bytes) -> bool:
-    """Whether a file is pointpred's own Parquet, whose header is at its end."""
-    if not parquet.recognises(head):
-        return False
-    marked, names = arrow_tables.parquet_names(path)
-    return marked or any(needed <= names for needed in OWN_NAMES)
-
-
 FORMATS: tuple[Format, ...] = (
     Format(
         "recorder",
-        appended.TITLE,
-        appended.recognises,
+        "pointpred recorder CSV",
+        own.recognises_recorder,
         lambda path, reading: own.read(path, reading=reading),
         streams=True,
     ),
     Format(
         "own",
         "pointpred Parquet or CSV",
-        _is_own,
+        own.recognises,
         lambda path, reading: own.read(path, reading=reading),
-        recognises_further=_is_own_parquet,
+        recognises_further=own.recognises_further,
     ),
     Format("gofitts", gofitts.TITLE, gofitts.recognises, gofitts.read),
     Format("balabit", balabit.TITLE, balabit.recognises, balabit.read, streams=True),
