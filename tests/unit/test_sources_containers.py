@@ -210,10 +210,9 @@ def test_objects_of_matlab_are_named(tmp_path: Path) -> None:
 def test_a_string_object_beside_vectors_is_left_aside(tmp_path: Path) -> None:
     """What MATLAB's own ``s = "ab"`` is saved as has no dimensions, unlike every other array."""
     savemat(tmp_path / "own.mat", {"t": T, "x": X, "y": Y})
-    parts = [struct.pack("<IIII", 6, 8, 17, 0)]
+    content = struct.pack("<IIII", 6, 8, 17, 0)
     for word in (b"s", b"MCOS", b"string"):
-        parts.append(struct.pack("<II", 1, len(word)) + word.ljust(-len(word) % 8 + len(word), b"\0"))
-    content = b"".join(parts)
+        content += struct.pack("<II", 1, len(word)) + word.ljust(8, b"\0")
     with (tmp_path / "own.mat").open("ab") as file:
         file.write(struct.pack("<II", 14, len(content)) + content)
     table = matlab.read(tmp_path / "own.mat")
