@@ -160,7 +160,7 @@ FORMATS: tuple[Format, ...] = (
 def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     """The format of a file by its first 64 KiB, not by its name; ``None`` if none fits.
 
-    If ``reading`` names columns or records, formats of general tables are tried first.
+    If ``reading`` names columns, formats of general tables are tried first.
     """
     if path.exists() and not path.is_file():
         raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")
@@ -171,8 +171,7 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
 def _format_of(path: Path, reading: Reading) -> Format | None:
     """The format of a file that can be read twice."""
     head = head_of(path)
-    as_table = reading.columns is not None or reading.records is not None
-    formats = sorted(FORMATS, key=lambda form: not form.tabular) if as_table else FORMATS
+    formats = FORMATS if reading.columns is None else sorted(FORMATS, key=lambda form: not form.tabular)
     return next(
         (form for form in formats if form.recognises(head) or form.recognises_further(path, head)), None
     )

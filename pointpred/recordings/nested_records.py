@@ -7,14 +7,13 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import chain
-from pathlib import Path
 from types import NoneType
 from typing import Any
 
 import msgspec
 
 from pointpred.errors import RecordingError
-from pointpred.recordings.arrow_tables import ColumnTable, distinct_names
+from pointpred.recordings.arrow_tables import distinct_names
 
 MOST_DEPTH = 32
 MOST_CELLS = 40_000_000
@@ -28,11 +27,8 @@ SCALARS = NUMBERS | {str}
 EACH = "*"
 LEAST_COLUMNS = 3
 """A table of fewer columns cannot hold times and positions."""
-CLEAR = 2
-"""The largest list of records is chosen if it has at least so many times the samples of the next."""
 MOST_FIELDS = 16
 """An object with more fields than this, all similar records, holds one record per name."""
-MOST_SHOWN = 8
 TRACK = re.compile(r'\s*(\[\s*[\[{]|\{\s*"[^"]*"\s*:\s*\[)')
 PROBE = 200
 """Rows among which the first nonempty cell decides the content of a column."""
@@ -339,58 +335,14 @@ class Branch(msgspec.Struct, frozen=True):
         return self.beside | (scalars(self.value) if isinstance(self.value, dict) else {})
 
 
-def table_at(path: Path, document: Any, wanted: str | None, title: str) -> ColumnTable:
-    """The records at ``wanted`` in a document of the format ``title``, else the only ones that fit.
+def survey(document: Any) -> Tables:
+    """Every table in a document by its path; several of one path are one table.
 
-    ``wanted`` is names, and numbers from 0, joined by dots; ``*`` stands for each value of a list or an
-    object. Scalars beside the path become columns of equal cells. Notes name what was read and what was left
-    out.
-    Raises RecordingError, which names the paths that hold records.
+    Raises RecordingError where values are nested too deeply.
     """
-    try:
-        return _table_at(document, wanted, title)
-    except RecordingError as error:
-        raise RecordingError(f"{path}: {error}") from error
-
-
-def _table_at(document: Any, wanted: str | None, title: str) -> ColumnTable:
-    root = Branch(document)
-    branches = [root] if wanted is None else list(_follow(root, wanted.split(".")))
-    if not branches:
-        raise RecordingError(f"nothing lies at {wanted!r}; {_explain(_survey([root]))}")
-    others: Tables = {}
-    label, table = wanted or "", _join(branches) if wanted else None
-    if table is None:
-        label, others = _choose(_survey(branches))
-        table = others.pop(label)
-    notes = [f"records: {_rows(table)} {f'at {label}' if label else 'of the whole file'}"]
-    if others:
-        notes.append(f"other lists of records left aside: {_list_paths(others)}")
-    if table.deep_fields:
-        names = list(dict.fromkeys(field.name for field in table.deep_fields))
-        notes.append(f"fields too deep for a cell left aside: {', '.join(names[:MOST_SHOWN])}")
-    return ColumnTable(dict(table.columns), title, tuple(notes))
-
-
-def _follow(branch: Branch, names: list[str]) -> Iterator[Branch]:
-    """Every branch at a path; names may contain dots."""
-    value = branch.value
-    check_depth(len(branch.path))
-    if not names:
-        yield branch
-    elif names[0] == EACH and isinstance(value, (list, dict)):
-        for item in branch.each():
-            yield from _follow(item, names[1:])
-    elif isinstance(value, dict):
-        for count in range(min(len(names), MOST_DEPTH), 0, -1):
-            name = ".".join(names[:count])
-            if name in value:
-                yield from _follow(branch.child(name, value[name]), names[count:])
-                return
-    elif isinstance(value, list):
-        at = int(names[0]) if names[0].isdecimal() and len(names[0]) < 10 else len(value)
-        if at < len(value):
-            yield from _follow(branch.child(names[0], value[at]), names[1:])
+    tables: Tables = {}
+    _collect(Branch(document), tables)
+    return {label: table for label, table in tables.items() if table.own >= LEAST_COLUMNS}
 
 
 def _table(branch: Branch) -> RecordTable | None:
@@ -399,24 +351,6 @@ def _table(branch: Branch) -> RecordTable | None:
     if table is None and isinstance(branch.value, dict) and EACH in branch.path[-1:]:
         return records([branch.value])
     return table
-
-
-def _join(branches: list[Branch]) -> RecordTable | None:
-    """The branches of one path as one table; ``None`` if none of them is a table."""
-    whole = RecordTable()
-    for branch in branches:
-        table = _table(branch)
-        if table is not None:
-            whole.append(table, branch.beside)
-    return whole if whole.columns else None
-
-
-def _survey(branches: list[Branch]) -> Tables:
-    """Every table in some branches and below them, by its path; several of one path are one table."""
-    tables: Tables = {}
-    for branch in branches:
-        _collect(branch, tables)
-    return {label: table for label, table in tables.items() if table.own >= LEAST_COLUMNS}
 
 
 def _collect(branch: Branch, tables: Tables) -> None:
@@ -450,39 +384,6 @@ def _fields(value: Any) -> set[str]:
     if isinstance(first, dict):
         return set(first)
     return {str(at) for at in range(len(first))} if isinstance(first, list) else set()
-
-
-def _choose(tables: Tables) -> tuple[str, Tables]:
-    """The path of the only or by far the largest table, and all tables."""
-    if not tables:
-        raise RecordingError(_explain(tables))
-    sizes = sorted(((table.samples, label) for label, table in tables.items()), reverse=True)
-    if len(sizes) > 1 and sizes[0][0] < CLEAR * sizes[1][0]:
-        raise RecordingError(_explain(tables))
-    return sizes[0][1], dict(tables)
-
-
-def _explain(tables: Tables) -> str:
-    """The error message: the paths of records, and the option that selects one."""
-    if not tables:
-        return (
-            f"no list of records with at least {LEAST_COLUMNS} fields, expected one with times and positions"
-        )
-    first = next(iter(tables))
-    return f"records lie at {_list_paths(tables)}; choose one, as in: --records {first or EACH}"
-
-
-def _list_paths(tables: Tables) -> str:
-    """Paths with the number of their rows and their columns."""
-    shown = [
-        f"{label or 'the top'} ({_rows(table)}: {', '.join(list(table.columns)[:MOST_SHOWN])})"
-        for label, table in list(tables.items())[:MOST_SHOWN]
-    ]
-    return "; ".join(shown) + (f"; and {len(tables) - MOST_SHOWN} more" if len(tables) > MOST_SHOWN else "")
-
-
-def _rows(table: RecordTable) -> str:
-    return f"{table.rows} row{'s' * (table.rows != 1)}"
 
 
 def open_cells(columns: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:

@@ -14,8 +14,9 @@ import numpy as np
 from pointpred.errors import RecordingError
 from pointpred.recordings.arrow_tables import ColumnTable
 from pointpred.recordings.encodings import read_unpacked
-from pointpred.recordings.nested_records import check_depth, table_at
+from pointpred.recordings.nested_records import check_depth
 from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.table_choice import table_in
 
 TITLE = "MATLAB .mat"
 MAGIC, HDF5 = b"MATLAB ", b"MATLAB 7.3"
@@ -39,7 +40,7 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """Read the variables at ``reading.records``, else the only ones that fit (``nested_records``).
+    """Read the variables that are meant (``table_choice``).
 
     Vectors of one length and the columns of a matrix are columns; elements of a structure array are records.
     Raises RecordingError, also for version 7.3.
@@ -56,7 +57,7 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     objects = [name for name, value in variables.items() if value == UNREAD]
     note = f"not read, as they are objects (tables, dates, strings) or complex: {', '.join(objects)}"
     try:
-        table = table_at(path, variables, reading.records, TITLE)
+        table = table_in(path, variables, TITLE, reading)
     except RecordingError as error:
         if not objects:
             raise
