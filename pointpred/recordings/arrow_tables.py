@@ -125,9 +125,9 @@ def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") ->
         else:
             with open_utf8(path) as (file, encoding):
                 table, note = read_csv(path, file, text, separator), encoding.note
+        check_columns(path, table)
     except UNREADABLE as error:
         raise unreadable(path, error) from error
-    check_columns(path, table)
     unbroken(path, table, [name for name in table.column_names if not text(name)])
     return table, note
 
@@ -152,7 +152,10 @@ def check_names(path: Path, names: Sequence[str]) -> None:
 
 
 def check_columns(path: Path, table: Any) -> None:
-    """Raise RecordingError if two columns have the same name, or one holds neither words nor numbers."""
+    """Raise RecordingError if two columns have the same name, or one holds neither words nor numbers.
+
+    Also UnicodeError, where a name is no text.
+    """
     check_names(path, table.column_names)
     for name, column in zip(table.column_names, table.columns, strict=True):
         kind = column.type.value_type if pa.types.is_dictionary(column.type) else column.type

@@ -211,25 +211,24 @@ def _points(values: list[Any]) -> RecordTable | None:
     return None if nested else table
 
 
-def by_position(rows: list[list[Any]], names: Sequence[str] | None = None) -> RecordTable | None:
+def by_position(rows: list[list[Any]], names: Sequence[str] = ()) -> RecordTable | None:
     """Arrays as rows, their columns named by position from 0 on, or by a first array of text.
 
     At most 16 arrays that are longer than that are columns. ``None`` if an array contains more than scalars.
     """
     if not all(set(map(type, row)) <= SCALARS for row in rows):
         return None
-    if names is None and rows[0] and set(map(type, rows[0])) == {str}:
+    if not names and rows[0] and set(map(type, rows[0])) == {str}:
         names, rows = rows[0], rows[1:]
     table = RecordTable()
     width = max(map(len, rows), default=0)
-    if len(rows) <= FEW < width and names is None:
-        if len(set(map(len, rows))) == 1:
-            table.columns = {str(at): row for at, row in enumerate(rows)}
-            table.rows = width
-            return table
-        return None
-    names_there = names or ()
-    titles = distinct_names([*names_there, *map(str, range(len(names_there), width))])
+    if len(rows) <= FEW < width and not names:
+        if len(set(map(len, rows))) > 1:
+            return None
+        table.columns = {str(at): row for at, row in enumerate(rows)}
+        table.rows = width
+        return table
+    titles = distinct_names([*names, *map(str, range(len(names), width))])
     for row in rows:
         table.add(dict(zip(titles, row, strict=False)))
     return table.finish()
@@ -255,7 +254,6 @@ def _of_lists(value: dict[str, Any]) -> RecordTable | None:
         return None
     table = RecordTable()
     cells, deep = flatten({name: inner for name, inner in value.items() if name not in columns})
-    constants = {name: cell for name, cell in cells.items() if type(cell) in SCALARS}
     table.columns = {name: inner for name, inner in columns.items() if len(inner) == rows}
     table.rows = rows
     _spread(table)
@@ -264,7 +262,7 @@ def _of_lists(value: dict[str, Any]) -> RecordTable | None:
         DeepField(0, value, name, inner) for name, inner in columns.items() if len(inner) != rows
     ]
     answer = RecordTable()
-    answer.append(table, constants)
+    answer.append(table, scalars(cells))
     return answer
 
 

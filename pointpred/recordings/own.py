@@ -294,9 +294,9 @@ def _read_table(path: Path, text: Callable[[str], bool]) -> tuple[Any, Header]:
             header = parse_header(path, metadata.get(KEY))
         else:
             table, header = _read_csv(path, text)
+        arrow_tables.check_columns(path, table)
     except UNREADABLE as error:
         raise arrow_tables.unreadable(path, error) from error
-    arrow_tables.check_columns(path, table)
     if header.rows not in (None, table.num_rows):
         raise RecordingError(
             f"{path}: truncated, it holds {table.num_rows} rows, expected {header.rows} rows",

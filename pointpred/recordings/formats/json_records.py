@@ -46,11 +46,7 @@ def document_in(path: Path) -> tuple[Any, list[str]]:
             f"{path}: {len(text)} characters, at most {MOST_CHARACTERS} are read as JSON; "
             "split the file, or save its records as CSV"
         )
-    return _document(path, SURROGATE.sub(_paired, text))
-
-
-def _document(path: Path, text: str) -> tuple[Any, list[str]]:
-    """The value of the whole file, or the list of the values of its lines, and notes."""
+    text = SURROGATE.sub(_paired, text)
     try:
         return parse(text), []
     except ValueError as error:  # its text only: the error holds the document

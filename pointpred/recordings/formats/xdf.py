@@ -36,26 +36,21 @@ TIMES = "time_stamps"
 
 
 class Stream(msgspec.Struct, frozen=True):
-    """The header of a stream: its number, name, type, format of values, labels of channels."""
+    """The header of a stream: its number, name, type, format of values.
+
+    ``columns``: a name for each channel, its label or its place from 0.
+    """
 
     number: int
     name: str
     kind: str
     format: str
-    channels: int
-    labels: tuple[str, ...]
+    columns: tuple[str, ...]
 
     @property
     def title(self) -> str:
         """Its name in messages."""
-        return f"{self.name} (type {self.kind or 'unknown'}, {self.channels} channels)"
-
-    @property
-    def columns(self) -> list[str]:
-        """A name for each channel: its label, or its place from 0."""
-        names = [label or str(at) for at, label in enumerate(self.labels[: self.channels])]
-        names += [str(at) for at in range(len(names), self.channels)]
-        return distinct_names([*names, TIMES])[:-1]
+        return f"{self.name} (type {self.kind or 'unknown'}, {len(self.columns)} channels)"
 
 
 def recognises(head: bytes) -> bool:
@@ -150,9 +145,11 @@ def _stream(path: Path, number: int, header: bytes) -> Stream:
         raise RecordingError(
             f"{path}: stream {number} has {channels} channels, at most {MOST_CHANNELS} are read"
         )
-    labels = tuple(one.findtext("label", "") for one in root.findall("desc/channels/channel"))
+    labels = [one.findtext("label", "") for one in root.findall("desc/channels/channel")][:channels]
+    labels += [""] * (channels - len(labels))
+    columns = distinct_names([*(label or str(at) for at, label in enumerate(labels)), TIMES])[:-1]
     name, kind, values = (root.findtext(tag, "").strip() for tag in ("name", "type", "channel_format"))
-    return Stream(number, name, kind, values, channels, labels)
+    return Stream(number, name, kind, values, tuple(columns))
 
 
 def _chosen(path: Path, streams: list[Stream], reading: Reading) -> Stream:
@@ -160,12 +157,12 @@ def _chosen(path: Path, streams: list[Stream], reading: Reading) -> Stream:
 
     Where none is, the only one with these channels.
     """
-    numeric = [stream for stream in streams if stream.format != "string" and stream.channels >= 2]
+    numeric = [stream for stream in streams if stream.format != "string" and len(stream.columns) >= 2]
     told = (reading.columns or {}).values()
     named = [one for one in numeric if all(has_column([TIMES, *one.columns], str(name)) for name in told)]
     groups = [
         [stream for stream in named if "mouse" in (stream.name + stream.kind).lower()],
-        [stream for stream in named if {"x", "y"} <= {label.lower() for label in stream.labels}],
+        [stream for stream in named if {"x", "y"} <= {name.lower() for name in stream.columns}],
         [stream for stream in named if stream.kind.lower() in POSITIONS],
         named if told else [],
     ]
@@ -194,7 +191,7 @@ def _load(path: Path, file: io.BytesIO, stream: Stream) -> tuple[Any, Any, list[
         raise unreadable(path, error) from error
     except Exception as error:  # pyxdf raises errors of many kinds on damaged bytes
         raise RecordingError(f"{path}: damaged XDF: {str(error)[:120]}") from error
-    if not len(times) or values.shape != (len(times), stream.channels):
+    if not len(times) or values.shape != (len(times), len(stream.columns)):
         raise RecordingError(f"{path}: the stream {stream.title} holds no samples")
     return values, times, faults
 

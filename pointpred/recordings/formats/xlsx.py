@@ -43,9 +43,9 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     require("tables", f"{path}: reading a workbook")
     try:
         with _opened(path) as book:
-            return _sheet(path, book.worksheets, reading)
-    except RecordingError:
-        raise
+            return _sheet(book.worksheets, reading)
+    except RecordingError as error:
+        raise RecordingError(f"{path}: {error}") from error
     except MemoryError as error:  # the file need not be damaged
         raise unreadable(path, error) from error
     except Exception as error:  # openpyxl raises errors of many kinds on damaged bytes
@@ -59,7 +59,7 @@ def _opened(path: Path) -> Iterator[Any]:
     with ZipFile(path) as file:
         size = sum(part.file_size for part in file.infolist())
     if size > MOST_UNPACKED:
-        raise RecordingError(f"{path}: {size} bytes when unpacked, at most {MOST_UNPACKED} are read")
+        raise RecordingError(f"{size} bytes when unpacked, at most {MOST_UNPACKED} are read")
     # an open file, because openpyxl checks the extension of a path
     with warnings.catch_warnings(), path.open("rb") as content:
         warnings.simplefilter("ignore")  # warnings about styles and extensions without cells
@@ -70,22 +70,19 @@ def _opened(path: Path) -> Iterator[Any]:
             book.close()
 
 
-def _sheet(path: Path, sheets: list[Any], reading: Reading) -> ColumnTable:
+def _sheet(sheets: list[Any], reading: Reading) -> ColumnTable:
     """The sheet that is meant, or all those with the same columns."""
     alike: dict[tuple[str, ...], dict[str, RecordTable]] = {}
     for sheet in sheets:
-        table = _table(path, sheet)
+        table = _table(sheet)
         if len(table.columns) >= LEAST_COLUMNS and table.rows:
             alike.setdefault(tuple(table.columns), {})[sheet.title] = table
     titles = {", ".join(map(repr, some)): list(some) for some in alike.values()}
     tables = dict(zip(titles, map(_joined, alike.values()), strict=True))
     if not tables:
         where = ", ".join(sheet.title for sheet in sheets)
-        raise RecordingError(f"{path}: no table of {LEAST_COLUMNS} columns or more in the sheets {where}")
-    try:
-        chosen = choose(tables, reading)
-    except RecordingError as error:
-        raise RecordingError(f"{path}: {error}") from error
+        raise RecordingError(f"no table of {LEAST_COLUMNS} columns or more in the sheets {where}")
+    chosen = choose(tables, reading)
     several = len(titles[chosen]) > 1
     note = f"records: {tables[chosen].rows} rows of the sheet{'s' * several} {chosen}"
     note += f"; the column {SHEET} names them" * several
@@ -102,14 +99,14 @@ def _joined(tables: dict[str, RecordTable]) -> RecordTable:
     return whole
 
 
-def _table(path: Path, sheet: Any) -> RecordTable:
+def _table(sheet: Any) -> RecordTable:
     """The cells of a sheet below the row that names its columns."""
     sheet.reset_dimensions()  # the size stored in a file may be wrong
     table = RecordTable()
     titles: list[str] = []
     for number, row in enumerate(sheet.iter_rows(values_only=True)):
         if number >= MOST_ROWS:
-            raise RecordingError(f"{path}: the sheet {sheet.title!r} has more than {MOST_ROWS} rows")
+            raise RecordingError(f"the sheet {sheet.title!r} has more than {MOST_ROWS} rows")
         cells = {at: _cell(value) for at, value in enumerate(row) if value is not None}
         if not titles:
             if len(cells) < LEAST_COLUMNS:
