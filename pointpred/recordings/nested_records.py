@@ -34,25 +34,17 @@ PROBE = 200
 """Rows among which the first nonempty cell decides the content of a column."""
 
 
-class DeepField(msgspec.Struct, frozen=True):
-    """A field too deep for a cell: the number and value of its row, its name and its value."""
-
-    row: int
-    whole: Any
-    name: str
-    value: Any
-
-
 class RecordTable:
     """Columns of one length that grow row by row; a missing field is ``None``.
 
-    ``deep_fields`` are those that are too deep for a cell. Raises RecordingError above 4e7 cells.
+    ``deep_fields`` are those that are too deep for a cell: the number of its row, its name and its value.
+    Raises RecordingError above 4e7 cells.
     """
 
-    def __init__(self) -> None:
-        self.columns: dict[str, list[Any]] = {}
-        self.rows = 0
-        self.deep_fields: list[DeepField] = []
+    def __init__(self, columns: dict[str, list[Any]] | None = None) -> None:
+        self.columns = columns or {}
+        self.rows = len(next(iter(self.columns.values()), ()))
+        self.deep_fields: list[tuple[int, str, Any]] = []
         self._own = 0
 
     def add(self, row: dict[str, Any]) -> None:
@@ -131,7 +123,7 @@ def records(rows: Sequence[dict[str, Any] | None]) -> RecordTable:
     for at, row in enumerate(rows):
         if row is not None:
             cells, deep = flatten(row)
-            table.deep_fields += [DeepField(at, row, name, value) for name, value in deep.items()]
+            table.deep_fields += [(at, name, value) for name, value in deep.items()]
             table.add(cells)
     _spread(table.finish())
     return table
@@ -220,14 +212,11 @@ def by_position(rows: list[list[Any]], names: Sequence[str] = ()) -> RecordTable
         return None
     if not names and rows[0] and set(map(type, rows[0])) == {str}:
         names, rows = rows[0], rows[1:]
-    table = RecordTable()
     width = max(map(len, rows), default=0)
     if len(rows) <= FEW < width and not names:
-        if len(set(map(len, rows))) > 1:
-            return None
-        table.columns = {str(at): row for at, row in enumerate(rows)}
-        table.rows = width
-        return table
+        alike = len(set(map(len, rows))) == 1
+        return RecordTable({str(at): row for at, row in enumerate(rows)}) if alike else None
+    table = RecordTable()
     titles = distinct_names([*names, *map(str, range(len(names), width))])
     for row in rows:
         table.add(dict(zip(titles, row, strict=False)))
@@ -252,15 +241,11 @@ def _of_lists(value: dict[str, Any]) -> RecordTable | None:
     rows, count = Counter(map(len, columns.values())).most_common(1)[0]
     if count < 2:
         return None
-    table = RecordTable()
-    cells, deep = flatten({name: inner for name, inner in value.items() if name not in columns})
-    table.columns = {name: inner for name, inner in columns.items() if len(inner) == rows}
-    table.rows = rows
+    table = RecordTable({name: inner for name, inner in columns.items() if len(inner) == rows})
     _spread(table)
-    table.deep_fields = [DeepField(0, value, name, inner) for name, inner in deep.items()]
-    table.deep_fields += [
-        DeepField(0, value, name, inner) for name, inner in columns.items() if len(inner) != rows
-    ]
+    cells, deep = flatten({name: inner for name, inner in value.items() if name not in columns})
+    deep |= {name: inner for name, inner in columns.items() if len(inner) != rows}
+    table.deep_fields = [(0, name, inner) for name, inner in deep.items()]
     answer = RecordTable()
     answer.append(table, scalars(cells))
     return answer
@@ -286,10 +271,7 @@ def _of_indexed(value: dict[str, Any]) -> RecordTable | None:
         return None
     if not all(type(cell) in SCALARS for column in columns for cell in column.values()):
         return None
-    table = RecordTable()
-    table.columns = {name: list(column.values()) for name, column in value.items()}
-    table.rows = len(index)
-    return table
+    return RecordTable({name: list(column.values()) for name, column in value.items()})
 
 
 Tables = dict[str, RecordTable]
@@ -357,9 +339,9 @@ def _collect(branch: Branch, tables: Tables) -> None:
     table = _table(branch)
     if table is not None:
         tables.setdefault(branch.label, RecordTable()).append(table, branch.beside)
-        for field in table.deep_fields:
-            row = branch.item(field.row, field.whole) if isinstance(value, list) else branch
-            _collect(row.child(field.name, field.value), tables)
+        for row, name, inner in table.deep_fields:
+            within = branch.item(row, value[row]) if isinstance(value, list) else branch
+            _collect(within.child(name, inner), tables)
     elif isinstance(value, list) or (isinstance(value, dict) and _are_alike(value)):
         for item in branch.each():
             _collect(item, tables)

@@ -33,7 +33,7 @@ def table_in(path: Path, document: Any, title: str, reading: Reading) -> ColumnT
     if tables:
         notes.append(f"other lists of records left aside: {_list_paths(tables)}")
     if table.deep_fields:
-        names = list(dict.fromkeys(field.name for field in table.deep_fields))
+        names = list(dict.fromkeys(name for _, name, _ in table.deep_fields))
         notes.append(f"fields too deep for a cell left aside: {', '.join(names[:MOST_SHOWN])}")
     return ColumnTable(dict(table.columns), title, tuple(notes))
 
