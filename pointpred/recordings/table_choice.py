@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,8 @@ from pointpred.recordings.reading import NEEDED, Reading
 CLEAR = 2
 """The largest table is chosen if it has at least so many times the samples of the next."""
 MOST_SHOWN = 8
+PLACE = re.compile(r"\.\d+$")
+"""Of a number in the lists of a column, as in ``pos.0``."""
 
 
 def table_in(path: Path, document: Any, title: str, reading: Reading) -> ColumnTable:
@@ -68,11 +71,15 @@ def _fits(names: Sequence[str], reading: Reading) -> bool:
 
 
 def has_column(names: Sequence[str], wanted: str) -> bool:
-    """Whether a column is ``wanted``, by its name, its place, or as a sum or a part of a list."""
+    """Whether a column is ``wanted``, by its name, its place, or as a sum or a part of a list.
+
+    >>> [has_column(["t", "Mouse X", "pos"], wanted) for wanted in ("mouse_x", "2", "t+pos.0", "x")]
+    [True, True, True, False]
+    """
     alike = [words_of(name) for name in names]
-    places = [str(place) for place in range(len(names))]
-    return wanted in names or all(
-        part in (*names, *places) or words_of(part) in alike or part.rpartition(".")[0] in names
+    known = {*names, *map(str, range(len(names)))}
+    return wanted in known or all(
+        {part, PLACE.sub("", part)} & known or words_of(part) in alike
         for part in map(str.strip, wanted.split("+"))
     )
 
