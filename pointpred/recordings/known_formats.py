@@ -10,7 +10,7 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.recordings import appended, arrow_tables, own
+from pointpred.recordings import own
 from pointpred.recordings.encodings import head_of, text_in
 from pointpred.recordings.formats import (
     balabit,
@@ -37,8 +37,6 @@ from pointpred.recordings.formats import (
 from pointpred.recordings.reading import AS_IS, Reading
 from pointpred.recordings.tables import recording_of_table
 
-OWN_NAMES = (set(own.REQUIRED), {"user", "trial", "n_samples"})
-"""The columns that identify pointpred's own samples and trials without their mark."""
 ADVICE = (
     ((b"RDX2\n", b"RDX3\n"), "R data are not read; in R: write.csv(NAME, 'table.csv', row.names = FALSE)"),
     (
@@ -91,35 +89,20 @@ ANY = {"streams": True, "tabular": True}
 """Of formats whose files hold any table."""
 
 
-def _is_own(head: bytes) -> bool:
-    """Whether a text that begins with ``head`` is one of pointpred's own."""
-    first = head.split(b"\n", 1)[0]
-    named = first.decode("utf-8", "replace").replace('"', "").replace("\r", "").split(",")
-    return first.startswith(arrow_tables.MARK) or any(needed <= set(named) for needed in OWN_NAMES)
-
-
-def _is_own_parquet(path: Path, head: bytes) -> bool:
-    """Whether a file is pointpred's own Parquet, whose header is at its end."""
-    if not parquet.recognises(head):
-        return False
-    marked, names = arrow_tables.parquet_names(path)
-    return marked or any(needed <= names for needed in OWN_NAMES)
-
-
 FORMATS: tuple[Format, ...] = (
     Format(
         "recorder",
-        appended.TITLE,
-        appended.recognises,
+        "pointpred recorder CSV",
+        own.recognises_recorder,
         lambda path, reading: own.read(path, reading=reading),
         streams=True,
     ),
     Format(
         "own",
         "pointpred Parquet or CSV",
-        _is_own,
+        own.recognises,
         lambda path, reading: own.read(path, reading=reading),
-        recognises_further=_is_own_parquet,
+        recognises_further=own.recognises_further,
     ),
     _table("gofitts", gofitts),
     _table("balabit", balabit, streams=True),
@@ -148,7 +131,7 @@ FORMATS: tuple[Format, ...] = (
 def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     """The format of a file by its first 64 KiB, not by its name; ``None`` if none fits.
 
-    If ``reading`` names columns or records, formats of general tables are tried first.
+    If ``reading`` names columns, formats of general tables are tried first.
     """
     if path.exists() and not path.is_file():
         raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")
@@ -159,8 +142,7 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
 def _format_of(path: Path, reading: Reading) -> Format | None:
     """The format of a file that can be read twice."""
     head = head_of(path)
-    as_table = reading.columns is not None or reading.records is not None
-    formats = sorted(FORMATS, key=lambda form: not form.tabular) if as_table else FORMATS
+    formats = FORMATS if reading.columns is None else sorted(FORMATS, key=lambda form: not form.tabular)
     return next(
         (form for form in formats if form.recognises(head) or form.recognises_further(path, head)), None
     )
