@@ -217,6 +217,7 @@ def test_words_for_buttons_are_read_by_rule(name: str) -> None:
             (word, 0)
             for word in (
                 "click_released",
+                "unclicked",
                 "pointermove",
                 "touch-end",
                 "left up",
@@ -232,6 +233,37 @@ def test_words_for_buttons_are_read_by_rule(name: str) -> None:
 def test_a_word_for_a_button_is_a_device_a_button_and_what_happened(cell: str, value: int | None) -> None:
     found = pressed(cell)
     assert found == value if value is not None else found != found
+
+
+def test_a_column_that_names_buttons_is_not_guessed_beside_one_that_tells_their_release(
+    tmp_path: Path,
+) -> None:
+    lines = ["t_ms,x,y,button,action"]
+    for at in range(40):
+        action = {10: "clicked", 14: "unclicked"}.get(at, "moved")
+        lines.append(f"{16 * at},{at},{at},{'' if action == 'moved' else 'Button.left'},{action}")
+    path = lines_file(tmp_path / "logger.csv", *lines)
+    recording = one(path)
+    said = "buttons is not read: button or action may be meant; name one with --columns buttons=..."
+    assert said in recording.notes
+    assert not any("for they hold lists: button" in note for note in recording.notes)
+    assert not recording.events.buttons.any()
+    told = one(path, Reading(columns={"buttons": "action"}, cut="whole"))
+    assert np.flatnonzero(told.events.buttons).tolist() == [10]
+
+
+def test_words_of_a_row_without_a_position_need_be_no_button(tmp_path: Path) -> None:
+    rows = [f"mouse move;{16 * at};({at}, {at})" for at in range(12)]
+    rows[5], rows[8] = "mouse left down;80;(5, 5)", "mouse left up;128;(8, 8)"
+    rows.insert(7, "key down;104;A")
+    fields: dict[str, str | int] = {"t": "1", "x": "2.0", "y": "2.1", "buttons": "0"}
+    recording = one(lines_file(tmp_path / "hook.txt", *rows), Reading(columns=fields, cut="whole"))
+    assert recording.events.x.tolist() == list(range(12))
+    assert recording.events.buttons.tolist().count(1) == 1
+    assert any("rows left out: 1, the first is data row 7" in note for note in recording.notes)
+    rows[7] = "key down;104;(7, 7)"
+    with pytest.raises(RecordingError, match="data row 7: 0 is 'key down', expected buttons"):
+        one(lines_file(tmp_path / "hook.txt", *rows), Reading(columns=fields, cut="whole"))
 
 
 def test_words_in_lists_of_buttons_are_read_alike(tmp_path: Path) -> None:

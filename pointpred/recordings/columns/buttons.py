@@ -13,7 +13,7 @@ from pointpred.errors import RecordingError
 from pointpred.recordings import arrow_tables
 from pointpred.recordings.columns.names import VAGUE, words_of
 from pointpred.recordings.trials import MOST_BUTTONS, codes_of
-from pointpred.records import FloatArray
+from pointpred.records import BoolArray, FloatArray
 
 WHICH = {
     **dict.fromkeys(("left", "primary"), 1.0),
@@ -25,12 +25,14 @@ WHICH = {
 """The bits of W3C pointer events."""
 _DEVICE = "(mouse|pointer|touch|cursor|pen|button|btn|click)"
 _BUTTON = f"({'|'.join(WHICH)})?"
-_UP = "up|released?|mov(ed?|ing)|motion|hover|end|cancel|enter|leave|over|out|(scroll|wheel)(ed)?(up|down)?"
+_RELEASE = "up|released?|un(click|press)(ed)?"
+_UP = f"{_RELEASE}|mov(ed?|ing)|motion|hover|end|cancel|enter|leave|over|out|(scroll|wheel)(ed)?(up|down)?"
 _DOWN = "down|press(ed)?|(dbl|double)click(ed)?|clicked|drag(ged|ging)?|start|held"
 WORD = re.compile(
     f"{_DEVICE}*(?P<which>{_BUTTON}){_DEVICE}*((?P<up>{_UP})|(?P<down>{_DOWN}))?{_DEVICE}*(?P<last>{_BUTTON})"
 )
 """A device, its button and what happened to it, each of which may be missing."""
+RELEASE = re.compile(_RELEASE)
 YES, NO = ("true", "yes"), ("false", "no", "none", "")
 CERTAIN = re.compile(f"{_DEVICE}|up|release|down|press|drag|left|right|middle|primary|secondary")
 """Words that mark a column named ``state`` as the buttons' state."""
@@ -58,11 +60,12 @@ def pressed(cell: str) -> float:
     return WHICH[which or "left"] if found["down"] or which or "click" in word else float("nan")
 
 
-def buttons_of(path: Path, name: str, column: Any, explicit: bool) -> FloatArray | None:
+def buttons_of(path: Path, name: str, column: Any, explicit: bool, placed: BoolArray) -> FloatArray | None:
     """Pressed buttons as W3C pointer events number them, 0 for an empty cell.
 
-    A column that the user named (``explicit``) must hold buttons, else RecordingError names the wrong cell;
-    for a column with a usual name the answer is then ``None``; ``state`` must hold words for buttons.
+    A column that the user named (``explicit``) must hold buttons in the rows ``placed`` that have a position,
+    else RecordingError names the wrong cell; for a column with a usual name the answer is then ``None``;
+    ``state`` must hold words for buttons.
     """
     if not explicit and words_of(name) in [[vague] for vague in VAGUE] and not _is_certain(column):
         return None
@@ -73,16 +76,39 @@ def buttons_of(path: Path, name: str, column: Any, explicit: bool) -> FloatArray
     else:
         codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
         values = np.array([pressed(cell) for cell in cells] or [0.0])[codes]
-        bad = np.flatnonzero(np.isnan(values))
+        bad = np.flatnonzero(np.isnan(values) & placed)
         cell = cells[codes[bad[0]]] if len(bad) else ""
     if not len(bad):
-        return values
+        return np.nan_to_num(values)
     if not explicit:
         return None
     raise RecordingError(
         f"{path}: data row {bad[0]}: {name} is {arrow_tables.short(cell)!r}, expected buttons: "
         "a whole number, or words such as down, mouseup, right, Button.left, BTN_LEFT, click_pressed"
     )
+
+
+def names_only(column: Any) -> bool:
+    """Whether the words of a column name buttons, and none says whether they are pressed or released."""
+    found = _found(column)
+    return bool(found) and all(
+        (one["which"] or one["last"]) and not one["up"] and not one["down"] for one in found
+    )
+
+
+def tells_release(column: Any) -> bool:
+    """Whether the words of a column say that buttons are pressed, and that they are released."""
+    found = _found(column)
+    return any(one["down"] for one in found) and any(RELEASE.fullmatch(one["up"] or "") for one in found)
+
+
+def _found(column: Any) -> list[re.Match[str]]:
+    """What the words of a column say of buttons."""
+    if not arrow_tables.is_words(column):
+        return []
+    _, cells = codes_of(arrow_tables.words(column).fill_null(""))
+    words = [re.sub(r"[\W_]+", "", cell.lower()) for cell in cells]
+    return [found for word in words if word not in (*YES, *NO) and (found := WORD.fullmatch(word))]
 
 
 def _is_certain(column: Any) -> bool:
