@@ -15,7 +15,7 @@ from pointpred.recording import Provenance, Recording
 from pointpred.recordings import arrow_tables
 from pointpred.recordings.arrow_tables import ColumnTable, IntArray, as_arrow
 from pointpred.recordings.columns import clocks
-from pointpred.recordings.columns.buttons import buttons_of, names_only, tells_release
+from pointpred.recordings.columns.buttons import buttons_of, held, names_only, tells_release
 from pointpred.recordings.columns.clocks import (
     HEAD,
     clock_notes,
@@ -31,7 +31,7 @@ from pointpred.recordings.columns.names import similar_names
 from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.reading import KEYS, NEEDED, Reading
 from pointpred.recordings.samples import Samples, recording_of
-from pointpred.recordings.trials import TARGET, Codes, codes_of
+from pointpred.recordings.trials import LATE_S, TARGET, Codes, codes_of
 from pointpred.records import EVENT_FIELDS, BoolArray, EventColumns, FloatArray
 
 MOSTLY = 0.5
@@ -145,8 +145,8 @@ class _MappedTable:
         samples.table[:, 0], samples.table[:, -1] = times, 0.0
         self._blame(samples, "t", wrong, "a date and time" if unit == "iso" else "a number")
         self._read_numbers(samples)
-        self._read_buttons(samples)
         samples.user, samples.trial = self._codes("user"), self._codes("trial")
+        self._read_buttons(samples)
         self._check_steps(samples)
         if self.known is None:
             fields = (f"{field} = {name}" + how * (field == "t") for field, name in self.mapping.items())
@@ -262,7 +262,11 @@ class _MappedTable:
         placed: BoolArray = np.logical_and.reduce(np.isfinite(samples.table[:, :3]), axis=1)
         pressed = None if others else buttons_of(self.path, name, column, explicit, placed)
         if pressed is not None:
-            samples.table[:, -1] = pressed
+            user = samples.users[0]
+            trial = user if samples.trial is None else samples.trial[0]
+            late_s = np.inf if self.reading.sort else LATE_S
+            times = samples.table[:, 0] / samples.per_second
+            samples.table[:, -1] = held(column, pressed, user, trial, times, late_s)
             return
         either = " or ".join((name, *others))
         self.notes.append(

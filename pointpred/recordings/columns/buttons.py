@@ -11,6 +11,7 @@ import pyarrow as pa
 
 from pointpred.errors import RecordingError
 from pointpred.recordings import arrow_tables
+from pointpred.recordings.arrow_tables import IntArray
 from pointpred.recordings.columns.names import VAGUE, words_of
 from pointpred.recordings.trials import MOST_BUTTONS, codes_of
 from pointpred.records import BoolArray, FloatArray
@@ -25,14 +26,15 @@ WHICH = {
 """The bits of W3C pointer events."""
 _DEVICE = "(mouse|pointer|touch|cursor|pen|button|btn|click)"
 _BUTTON = f"({'|'.join(WHICH)})?"
-_RELEASE = "up|released?|un(click|press)(ed)?"
-_UP = f"{_RELEASE}|mov(ed?|ing)|motion|hover|end|cancel|enter|leave|over|out|(scroll|wheel)(ed)?(up|down)?"
+_RELEASE = "up|released?|un(click|press)(ed)?|end|cancel"
+_UP = f"{_RELEASE}|mov(ed?|ing)|motion|hover|enter|leave|over|out|(scroll|wheel)(ed)?(up|down)?"
 _DOWN = "down|press(ed)?|(dbl|double)click(ed)?|clicked|drag(ged|ging)?|start|held"
 WORD = re.compile(
     f"{_DEVICE}*(?P<which>{_BUTTON}){_DEVICE}*((?P<up>{_UP})|(?P<down>{_DOWN}))?{_DEVICE}*(?P<last>{_BUTTON})"
 )
 """A device, its button and what happened to it, each of which may be missing."""
-RELEASE = re.compile(_RELEASE)
+RELEASE, GONE = re.compile(_RELEASE), re.compile(f"{_RELEASE}|leave|out")
+"""What releases a button, and what else leaves none pressed."""
 YES, NO = ("true", "yes"), ("false", "no", "none", "")
 CERTAIN = re.compile(f"{_DEVICE}|up|release|down|press|drag|left|right|middle|primary|secondary")
 """Words that mark a column named ``state`` as the buttons' state."""
@@ -48,7 +50,7 @@ def pressed(cell: str) -> float:
         number = float(cell)
         return number if 0 <= number <= MOST_BUTTONS and number == int(number) else float("nan")
     except ValueError:
-        word = re.sub(r"[\W_]+", "", cell.lower())
+        word = _plain(cell)
     if word in (*YES, *NO):
         return float(word in YES)
     found = WORD.fullmatch(word)
@@ -88,6 +90,49 @@ def buttons_of(path: Path, name: str, column: Any, explicit: bool, placed: BoolA
     )
 
 
+def held(
+    column: Any, values: FloatArray, user: IntArray, trial: IntArray, times: FloatArray, late_s: float
+) -> FloatArray:
+    """The buttons that are down at each row: where words tell it, a press lasts until its release.
+
+    ``values`` are those of the words by themselves; they hold where no release is told, or drags are too.
+    Nothing is down where the rows of another ``user`` or ``trial`` begin, or ``times`` go back by over
+    ``late_s``; within, rows count in the order of time.
+    """
+    if not tells_release(column):
+        return values
+    codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
+    found = [WORD.fullmatch(_plain(cell)) for cell in cells]
+    downs = {one["down"] for one in found if one and one["down"]}
+    if any(word.startswith("drag") for word in downs):
+        return values
+    presses = downs & {"down", "press", "pressed", "start", "held"} or downs
+    order = np.argsort(user, kind="stable")
+    with np.errstate(over="ignore", invalid="ignore"):
+        anew = np.diff(times[order]) < -late_s
+    anew |= (np.diff(user[order]) != 0) | (np.diff(trial[order]) != 0)
+    part = np.concatenate([[0], np.cumsum(anew)])
+    order = order[np.lexsort((times[order], part))]
+    begins = np.concatenate([[True], np.diff(part) != 0])
+    answer = np.zeros(len(values))
+    for bit in {WHICH[one["which"] or one["last"] or "left"] for one in found if one}:
+        change = np.array([_change(one, bit, presses) for one in found])[codes][order]
+        change[begins & np.isnan(change)] = 0.0
+        last = np.maximum.accumulate(np.where(np.isnan(change), 0, np.arange(len(change))))
+        answer[order] += bit * change[last]
+    return answer
+
+
+def _change(found: re.Match[str] | None, bit: float, presses: set[str]) -> float:
+    """What a word does to a button: 1 presses, 0 releases, NaN neither."""
+    which = found and (found["which"] or found["last"])
+    if found is None or (WHICH[which or "left"] != bit and (which or found["down"])):
+        return float("nan")
+    if found["down"] in presses:
+        return 1.0
+    return 0.0 if GONE.fullmatch(found["up"] or "") else float("nan")
+
+
 def names_only(column: Any) -> bool:
     """Whether the words of a column name buttons, and none says whether they are pressed or released."""
     found = _found(column)
@@ -102,13 +147,19 @@ def tells_release(column: Any) -> bool:
     return any(one["down"] for one in found) and any(RELEASE.fullmatch(one["up"] or "") for one in found)
 
 
+def _plain(cell: str) -> str:
+    """The letters and digits of a word, small."""
+    return re.sub(r"[\W_]+", "", cell.lower())
+
+
 def _found(column: Any) -> list[re.Match[str]]:
     """What the words of a column say of buttons."""
     if not arrow_tables.is_words(column):
         return []
     _, cells = codes_of(arrow_tables.words(column).fill_null(""))
-    words = [re.sub(r"[\W_]+", "", cell.lower()) for cell in cells]
-    return [found for word in words if word not in (*YES, *NO) and (found := WORD.fullmatch(word))]
+    return [
+        found for word in map(_plain, cells) if word not in (*YES, *NO) and (found := WORD.fullmatch(word))
+    ]
 
 
 def _is_certain(column: Any) -> bool:
