@@ -26,11 +26,15 @@ PAUSE_S = 0.3
 def delimited(path: Path, *, t: str, x: str, y: str, per_second: float | str, **options: Any) -> pd.DataFrame:
     """Plain text, a row a sample; ``per_second`` is "iso" where the cells are dates.
 
-    A row with a cell in the column ``further`` is too long and none.
+    A row with a cell in the column ``further`` is too long and none; ``pair`` holds x and y in one cell.
     """
-    user, trial, cut, further = (options.pop(name, "") for name in ("user", "trial", "cut", "further"))
+    user, trial, cut, further, pair = (
+        options.pop(name, "") for name in ("user", "trial", "cut", "further", "pair")
+    )
     options |= {"header": None} if "names" in options else {}
     table = pd.read_csv(path, dtype=str, **options)
+    if pair:
+        table[[x, y]] = table[pair].str.extract(r"(-?[\d.]+), *(-?[\d.]+)")
     if further:
         table.loc[table[further].notna(), [x, y]] = np.nan
     return _samples(path, table, (t, x, y), per_second, user, trial, cut)
