@@ -105,14 +105,15 @@ def tracks(
 
 
 def objects(
-    path: Path, *, t: str, x: str, y: str, per_second: float, cut: str = "", what: str = "", press: str = ""
+    path: Path, *, t: str, x: str, y: str, per_second: float, cut: str = "", **button: Any
 ) -> pd.DataFrame:
-    """JSON: an array of objects, one a sample; cut at clicks where ``what`` is ``press`` when one begins."""
+    """JSON: an array of objects, one a sample; cut at clicks by a ``button``: column, press and release."""
     table = pd.DataFrame(json.loads(path.read_text(encoding="utf-8")))
     rows = _samples(path, table, (t, x, y), per_second, "", "", cut)
-    if what:
+    if button:
+        happened = table[button["column"]].map({button["press"]: True, button["release"]: False})
         placed = rows["x"].notna()
-        rows.loc[placed, "trial"] = _at_clicks(table[what].eq(press)[placed], 0)
+        rows.loc[placed, "trial"] = _at_clicks(happened.ffill().eq(True)[placed], 0)
     return rows
 
 
@@ -327,7 +328,7 @@ def _samples(
     rows = pd.DataFrame({"row": np.arange(len(table))})
     rows["x"], rows["y"] = pd.to_numeric(table[names[1]]), pd.to_numeric(table[names[2]])
     if per_second == "iso":
-        times = pd.to_datetime(table[names[0]])
+        times = pd.to_datetime(table[names[0]], format="ISO8601")
         rows["t"] = (times - times.iloc[0]).dt.total_seconds()
     else:
         exact = table[names[0]].map(lambda cell: Decimal(str(cell)))

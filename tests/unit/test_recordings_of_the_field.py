@@ -289,6 +289,26 @@ def test_a_press_lasts_no_longer_than_its_user_trial_and_clock(tmp_path: Path) -
     assert recording.events.buttons.tolist() == [1] * 9 + [0] * 18
 
 
+@pytest.mark.parametrize("cells", [("true", "false"), ("1", "0"), ("True", "False"), ("2", "0")])
+def test_an_empty_cell_of_buttons_says_no_change_where_releases_are_told(
+    tmp_path: Path, cells: tuple[str, str]
+) -> None:
+    told = {2: cells[0], 5: cells[1]}
+    rows = [f"{16 * at},{at},{at},{told.get(at, '')}" for at in range(9)]
+    path = lines_file(tmp_path / "logger.csv", "t_ms,x,y,pressed", *rows)
+    recording = one(path, Reading(cut="whole"))
+    assert np.flatnonzero(recording.events.buttons).tolist() == [2, 3, 4]
+    rows = [
+        f'{{"t_ms": {16 * at}, "x": {at}, "y": {at}, "pressed": {told.get(at, "null").lower()}}}'
+        for at in range(9)
+    ]
+    recording = one(lines_file(tmp_path / "logger.jsonl", *rows), Reading(cut="whole"))
+    assert np.flatnonzero(recording.events.buttons).tolist() == [2, 3, 4]
+    rows[5] = rows[4].replace("64", "80")
+    recording = one(lines_file(tmp_path / "presses.jsonl", *rows), Reading(cut="whole"))
+    assert np.flatnonzero(recording.events.buttons).tolist() == [2]
+
+
 def test_a_press_ends_at_the_next_row_where_no_release_is_told(tmp_path: Path) -> None:
     words = ("mousemove", "mousedown", "mousemove", "mouseleave", "mousemove")
     path = lines_file(

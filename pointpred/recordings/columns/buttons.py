@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.compute as pc
 
 from pointpred.errors import RecordingError
 from pointpred.recordings import arrow_tables
@@ -93,43 +94,53 @@ def buttons_of(path: Path, name: str, column: Any, explicit: bool, placed: BoolA
 def held(
     column: Any, values: FloatArray, user: IntArray, trial: IntArray, times: FloatArray, late_s: float
 ) -> FloatArray:
-    """The buttons that are down at each row: where words tell it, a press lasts until its release.
+    """The buttons that are down at each row: where releases are told, a press lasts until its release.
 
-    ``values`` are those of the words by themselves; they hold where no release is told, or drags are too.
-    Nothing is down where the rows of another ``user`` or ``trial`` begin, or ``times`` go back by over
-    ``late_s``; within, rows count in the order of time.
+    ``values`` are those of the cells by themselves, as it stays where no release is told. Nothing is down
+    where the rows of another ``user`` or ``trial`` begin, or ``times`` go back by over ``late_s``; within,
+    rows count in the order of time.
     """
-    if not tells_release(column):
-        return values
-    codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
-    found = [WORD.fullmatch(_plain(cell)) for cell in cells]
-    downs = {one["down"] for one in found if one and one["down"]}
-    if any(word.startswith("drag") for word in downs):
-        return values
-    presses = downs & {"down", "press", "pressed", "start", "held"} or downs
+    changes = _changes(column, values)
     order = np.argsort(user, kind="stable")
     with np.errstate(over="ignore", invalid="ignore"):
         anew = np.diff(times[order]) < -late_s
     anew |= (np.diff(user[order]) != 0) | (np.diff(trial[order]) != 0)
-    part = np.concatenate([[0], np.cumsum(anew)])
+    part = np.concatenate([[0], np.cumsum(anew)])[: len(order)]
     order = order[np.lexsort((times[order], part))]
-    begins = np.concatenate([[True], np.diff(part) != 0])
+    begins = np.flatnonzero(np.diff(part, prepend=-1))
     answer = np.zeros(len(values))
-    for bit in {WHICH[one["which"] or one["last"] or "left"] for one in found if one}:
-        change = np.array([_change(one, bit, presses) for one in found])[codes][order]
-        change[begins & np.isnan(change)] = 0.0
+    for change in changes:
+        change = change[order]
+        change[begins] = np.nan_to_num(change[begins])
         last = np.maximum.accumulate(np.where(np.isnan(change), 0, np.arange(len(change))))
-        answer[order] += bit * change[last]
+        answer[order] += change[last]
     return answer
 
 
+def _changes(column: Any, values: FloatArray) -> list[FloatArray]:
+    """The bits that each row presses, 0 where it releases them, NaN where it does neither: a button each."""
+    cells = arrow_tables.words(column).fill_null("")
+    if not tells_release(column):
+        empty = np.asarray(pc.equal(pc.utf8_trim_whitespace(cells), ""))
+        told = empty.any() and values.any() and not values[~empty].all() and not _found(column)
+        return [np.where(empty, np.nan, values) if told else values]
+    codes, names = codes_of(cells)
+    found = [WORD.fullmatch(_plain(name)) for name in names]
+    downs = {one["down"] for one in found if one and one["down"]}
+    if any(word.startswith("drag") for word in downs):
+        return [values]
+    presses = downs & {"down", "press", "pressed", "start", "held"} or downs
+    bits = {WHICH[one["which"] or one["last"] or "left"] for one in found if one}
+    return [np.array([_change(one, bit, presses) for one in found])[codes] for bit in bits]
+
+
 def _change(found: re.Match[str] | None, bit: float, presses: set[str]) -> float:
-    """What a word does to a button: 1 presses, 0 releases, NaN neither."""
+    """What a word does to a button: its bit presses it, 0 releases it, NaN neither."""
     which = found and (found["which"] or found["last"])
     if found is None or (WHICH[which or "left"] != bit and (which or found["down"])):
         return float("nan")
     if found["down"] in presses:
-        return 1.0
+        return bit
     return 0.0 if GONE.fullmatch(found["up"] or "") else float("nan")
 
 
