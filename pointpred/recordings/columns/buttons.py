@@ -101,11 +101,13 @@ def held(
     rows count in the order of time.
     """
     changes = _changes(column, values)
+    if not any(np.isnan(change).any() for change in changes):
+        return values
     order = np.argsort(user, kind="stable")
     with np.errstate(over="ignore", invalid="ignore"):
         anew = np.diff(times[order]) < -late_s
     anew |= (np.diff(user[order]) != 0) | (np.diff(trial[order]) != 0)
-    part = np.concatenate([[0], np.cumsum(anew)])[: len(order)]
+    part = np.concatenate([[0], np.cumsum(anew)])
     order = order[np.lexsort((times[order], part))]
     begins = np.flatnonzero(np.diff(part, prepend=-1))
     answer = np.zeros(len(values))
@@ -119,13 +121,14 @@ def held(
 
 def _changes(column: Any, values: FloatArray) -> list[FloatArray]:
     """The bits that each row presses, 0 where it releases them, NaN where it does neither: a button each."""
-    cells = arrow_tables.words(column).fill_null("")
     if not tells_release(column):
-        empty = np.asarray(pc.equal(pc.utf8_trim_whitespace(cells), ""))
+        empty = np.asarray(pc.is_null(column, nan_is_null=True))
+        if arrow_tables.is_words(column):
+            empty = empty | np.asarray(pc.equal(pc.utf8_trim_whitespace(column), "").fill_null(True))
         told = empty.any() and values.any() and not values[~empty].all() and not _found(column)
         return [np.where(empty, np.nan, values) if told else values]
-    codes, names = codes_of(cells)
-    found = [WORD.fullmatch(_plain(name)) for name in names]
+    codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
+    found = [WORD.fullmatch(_plain(cell)) for cell in cells]
     downs = {one["down"] for one in found if one and one["down"]}
     if any(word.startswith("drag") for word in downs):
         return [values]
