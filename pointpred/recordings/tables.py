@@ -15,7 +15,7 @@ from pointpred.recording import Provenance, Recording
 from pointpred.recordings import arrow_tables
 from pointpred.recordings.arrow_tables import ColumnTable, IntArray, as_arrow
 from pointpred.recordings.columns import clocks
-from pointpred.recordings.columns.buttons import buttons_of
+from pointpred.recordings.columns.buttons import buttons_of, held, names_only, tells_release
 from pointpred.recordings.columns.clocks import (
     HEAD,
     clock_notes,
@@ -31,8 +31,8 @@ from pointpred.recordings.columns.names import similar_names
 from pointpred.recordings.encodings import stem_of
 from pointpred.recordings.reading import KEYS, NEEDED, Reading
 from pointpred.recordings.samples import Samples, recording_of
-from pointpred.recordings.trials import TARGET, Codes, codes_of
-from pointpred.records import EVENT_FIELDS, EventColumns, FloatArray
+from pointpred.recordings.trials import LATE_S, TARGET, Codes, codes_of
+from pointpred.records import EVENT_FIELDS, BoolArray, EventColumns, FloatArray
 
 MOSTLY = 0.5
 """Largest share of cells that are not numbers in a column of numbers."""
@@ -145,8 +145,8 @@ class _MappedTable:
         samples.table[:, 0], samples.table[:, -1] = times, 0.0
         self._blame(samples, "t", wrong, "a date and time" if unit == "iso" else "a number")
         self._read_numbers(samples)
-        self._read_buttons(samples)
         samples.user, samples.trial = self._codes("user"), self._codes("trial")
+        self._read_buttons(samples)
         self._check_steps(samples)
         if self.known is None:
             fields = (f"{field} = {name}" + how * (field == "t") for field, name in self.mapping.items())
@@ -254,14 +254,29 @@ class _MappedTable:
         """Add the buttons; a column of that name without buttons is ignored."""
         if "buttons" not in self.mapping:
             return
-        name = self.mapping["buttons"]
+        name, column = self.mapping["buttons"], self.field("buttons")
         explicit = "buttons" in (self.reading.columns or {})
-        pressed = buttons_of(self.path, name, self.field("buttons"), explicit)
-        if pressed is None:
-            self.notes.append(f"column {name} is left aside: its cells are not buttons")
-            del self.mapping["buttons"]
-        else:
-            samples.table[:, -1] = pressed
+        others = []
+        if not explicit and self.known is None and names_only(column):
+            others = [other for other in self.others if tells_release(self.column(other))]
+        placed: BoolArray = np.logical_and.reduce(np.isfinite(samples.table[:, :3]), axis=1)
+        pressed = None if others else buttons_of(self.path, name, column, explicit, placed)
+        if pressed is not None:
+            user = samples.users[0]
+            trial = user if samples.trial is None else samples.trial[0]
+            late_s = np.inf if self.reading.sort else LATE_S
+            times = samples.table[:, 0] / samples.per_second
+            samples.table[:, -1] = held(column, pressed, user, trial, times, late_s)
+            return
+        either = " or ".join((name, *others))
+        self.notes.append(
+            f"buttons is not read: {either} may be meant; name one with --columns buttons=..."
+            if others
+            else f"column {name} is left aside: its cells are not buttons"
+        )
+        del self.mapping["buttons"]
+        if not holds_lists(self.column(name)):
+            samples.columns[name] = self.column(name)
 
     def _check_numbers(self, field: str, values: FloatArray) -> None:
         """Raise ColumnsError if most cells of a column are not numbers."""
