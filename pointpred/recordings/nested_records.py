@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from itertools import chain
 from types import NoneType
 from typing import Any
@@ -378,6 +380,9 @@ def open_cells(columns: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
         cells = [_text(cell) for cell in column]
         values = [_value(cell) for cell in cells]
         damaged = [row for row, cell in enumerate(cells) if cell and values[row] is None]
+        if len(damaged) == sum(map(bool, cells)):
+            opened[name] = column
+            continue
         if damaged:
             notes.append(
                 f"cells of {name} that are no JSON: {len(damaged)}, the first in data row {damaged[0]}"
@@ -393,7 +398,8 @@ def _text(cell: Any) -> str:
 
 
 def _value(cell: str) -> Any:
-    try:
-        return json.loads(cell)
-    except (ValueError, RecursionError):
-        return None
+    """What JSON or, as pandas prints lists in a table, Python text says; ``None`` where it is neither."""
+    for parse in (json.loads, ast.literal_eval):
+        with suppress(ValueError, SyntaxError, RecursionError, MemoryError):
+            return parse(cell)
+    return None

@@ -8,6 +8,7 @@ from typing import Any
 
 import msgspec
 import numpy as np
+import pandas as pd
 import pytest
 
 from pointpred.devices.evdev import EVENT, FrameDecoder
@@ -419,3 +420,22 @@ def test_columns_of_events_in_milliseconds_are_warned_of() -> None:
         UserWarning, match=r"median interval of t is 16 s: t is in seconds, are these millisec"
     ):
         EventColumns.of(16.0 * np.arange(5), np.arange(5), np.zeros(5))
+
+
+def test_lists_of_objects_as_pandas_prints_them_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "study.csv"
+    points = [[{"x": 3 * at, "y": at * at, "t": 16 * at} for at in range(6 + trial)] for trial in range(2)]
+    pd.DataFrame({"participant": ["ann", "ann"], "track": points}).to_csv(path, index=False)
+    assert "'x'" in path.read_text(encoding="utf-8")
+    recording = one(path)
+    assert np.diff(recording.offsets).tolist() == [6, 7]
+    assert recording.rows(1).x.tolist() == [3 * at for at in range(7)]
+    assert [trial.user for trial in recording.trials] == ["ann", "ann"]
+
+
+def test_a_column_whose_every_cell_is_damaged_stays_one_that_can_be_named(tmp_path: Path) -> None:
+    path = tmp_path / "study.csv"
+    path.write_text('n,track\n1,"[{x: 3, t: 2}]"\n2,"[{x: 4, t: 2}]"\n', encoding="utf-8")
+    with pytest.raises(ColumnsError) as refusal:
+        one(path)
+    assert "track" in refusal.value.columns
