@@ -62,12 +62,20 @@ def export(study: Study, out: Path) -> list[tuple[Recording, Path]]:
     ``out`` names the samples file of the first, the others lie beside it. Returns each with its file.
     Raises RecordingError.
     """
-    stem = out.stem.removesuffix(SAMPLES)
     sets = [(joined(study), out)]
     if (mice := joined(study, "-mouse")).trials:
-        sets.append((mice, out.with_name(f"{stem}-mouse{out.suffix}")))
+        sets.append((mice, mice_beside(out)))
     write_whole(table_beside(out), participants_table(study).encode())
     return [(one, write(one, place)[0]) for one, place in sets]
+
+
+def mice_beside(out: Path) -> Path:
+    """Where the recording of the mice lies.
+
+    >>> mice_beside(Path("pointing_samples.csv")).name
+    'pointing-mouse.csv'
+    """
+    return out.with_name(f"{out.stem.removesuffix(SAMPLES)}-mouse{out.suffix}")
 
 
 def table_beside(out: Path) -> Path:

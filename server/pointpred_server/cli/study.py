@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from socket import socket
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -19,8 +21,12 @@ from pointpred.cli.output_files import (
 )
 from pointpred.console import counted, remark, remarks, results, table
 from pointpred.errors import ParameterError, RecordingError
+from pointpred.records import CPI
 from pointpred_server.cli.serve import flags, open_port, settings_of
 from pointpred_server.settings import Settings
+
+if TYPE_CHECKING:
+    from pointpred.studies.folder import Study
 
 app = typer.Typer(no_args_is_help=True)
 
@@ -76,11 +82,60 @@ def serve(design: Design, folder: Folder = None, *, settings: Settings) -> None:
       pointpred study serve pointing.toml --port 9000 --host 0.0.0.0 --allow-host lab.example
     """
     from pointpred.studies.folder import Study
+
+    study = Study(design, folder)
+    answer_study(study, settings, study.design.codes)
+
+
+@app.command()
+def run(
+    design: Design,
+    participant: Annotated[str, typer.Argument(metavar="PARTICIPANT", help="Who takes part: P01.")],
+    folder: Folder = None,
+    device: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME", help="Mouse to read, as for 'pointpred live'. Not given: the first that moves."
+        ),
+    ] = None,
+    cpi: Annotated[
+        float | None, typer.Option(min=CPI[0], max=CPI[1], help="Counts per inch of the mouse.")
+    ] = None,
+    port: Annotated[int | None, typer.Option(min=0, max=65535, help="Port; 0 takes any free one.")] = None,
+) -> None:
+    """Serve a study to one participant at this machine, and record their mouse as well.
+
+    Beside the positions in the page, the counts that the mouse sends are kept at its own rate, marked by the
+    same trials and conditions. 'pointpred study export' writes them as a recording of its own.
+
+    Try:
+
+      pointpred study run pointing.toml P01 --cpi 800
+    """
+    from pointpred.cli.counts_per_inch import counts_per_inch
+    from pointpred.devices.selection import choose
+    from pointpred.studies.folder import Study
+    from pointpred.studies.mouse import MouseReader
+
+    study = Study(design, folder)
+    one = study.chosen(participant)
+    settings = settings_of(host="127.0.0.1", port=port)
+    with choose(device, remark) as source:
+        one.mouse = mouse = MouseReader(source, counts_per_inch(source, cpi))
+        mouse.start()
+        try:
+            answer_study(study, settings, [one.code])
+        finally:
+            mouse.stop()
+            remark(f"{counted(mouse.kept, 'event')} of the mouse kept, {source.clock}")
+
+
+def answer_study(study: Study, settings: Settings, codes: Sequence[str]) -> None:
+    """Serve a study until interrupted, and print the links of these participants."""
     from pointpred_server.listening import serve as answer
     from pointpred_server.logs import set_up
     from pointpred_server.service import Service
 
-    study = Study(design, folder)
     settings = settings.guarded()
     set_up(settings.log_format)
     opened = open_port(settings)
@@ -89,8 +144,9 @@ def serve(design: Design, folder: Folder = None, *, settings: Settings) -> None:
     address = public_address(settings, opened)
 
     def announce() -> None:
-        for code, link in study.links().items():
-            typer.echo(f"{code} {address}study/{link}")
+        links = study.links()
+        for code in codes:
+            typer.echo(f"{code} {address}study/{links[code]}")
         remark(f"Ready: give each participant a link. Data go into {study.folder}. Ctrl-C stops.")
 
     try:
@@ -99,7 +155,7 @@ def serve(design: Design, folder: Folder = None, *, settings: Settings) -> None:
         remarks().print("stopped")
 
 
-def public_address(settings: Settings, opened: Any) -> str:
+def public_address(settings: Settings, opened: socket) -> str:
     """The address that participants open: the first further host name, where there is one."""
     from pointpred_server.listening import address
 
@@ -155,10 +211,11 @@ def export(design: Design, out: Out, folder: Folder = None, force: Force = False
       pointpred study export pointing.toml --out pointing_samples.parquet
     """
     from pointpred.studies.export import export as write_all
-    from pointpred.studies.export import table_beside
+    from pointpred.studies.export import mice_beside, table_beside
     from pointpred.studies.folder import Study
 
-    check_recording(out, force)
+    for file in (out, mice_beside(out)):
+        check_recording(file, force)
     check_free(table_beside(out), force)
     study = Study(design, folder)
     if not any(one.about for one in study.participants.values()):
