@@ -2,21 +2,34 @@
 
 from __future__ import annotations
 
-import json
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from playwright.sync_api import Error
 
+from pointpred.simulation.circle import SETUP
+from pointpred.simulation.movement import Aim, move
+from pointpred.simulation.person import Person
+from pointpred.studies.design import read_design
 from tests.server.page_browser import Visitor, until
 
 GOAL = """document.querySelector("#task").hidden ? null
   : JSON.parse(document.querySelector("#task-scene").dataset.target ?? "null")"""
 SHEET = "document.querySelector('#sheet').hidden ? '' : document.querySelector('#sheet-title').textContent"
+LOADED = """new Promise((done) => {
+  const end = performance.now() + 3000;
+  (function look() {
+    if (document.title !== "Study" || performance.now() > end) done(document.title !== "Study");
+    else setTimeout(look, 50);
+  })();
+})"""
+"""Whether the page's own modules have come, too."""
 TROUBLE = "document.querySelector('#task-trouble').textContent"
 FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 
@@ -28,7 +41,7 @@ class Served:
         self.design = design
         self.links: dict[str, str] = {}
         self._process: subprocess.Popen[str] | None = None
-        self._port = "0"
+        self._port, self._last = "0", read_design(design).codes[-1]
 
     def start(self) -> None:
         """Start, at the port of before where there was one, and wait for the links."""
@@ -49,7 +62,7 @@ class Served:
         for line in self._process.stdout:
             code, link = line.split()
             self.links[code] = link
-            if code == "P02":
+            if code == self._last:
                 break
         self._port = link.split(":")[2].split("/")[0]
 
@@ -74,19 +87,28 @@ def served(design: Path) -> Iterator[Served]:
 
 
 class Hand:
-    """A participant at the page of a study: a hand of least jerk, which misses some targets."""
+    """A participant at the page of a study, who misses some targets.
 
-    def __init__(self, visitor: Visitor, link: str, seed: int, seconds: float = 0.12) -> None:
+    A hand of least jerk in little time, or that of a simulated ``person`` in theirs.
+    """
+
+    def __init__(self, visitor: Visitor, link: str, seed: int, person: Person | None = None) -> None:
         self.visitor = visitor
         self.link = link
         self.clicks = 0
         self._rng = np.random.default_rng(seed)
-        self._seconds = seconds
+        self._person = person
         self._place = (10.0, 10.0)
 
     def open(self) -> None:
-        """Open the link, or open it again."""
-        self.visitor.open(self.link)
+        """Open the link, or open it again, as often as it takes while the service is down."""
+        for _ in range(20):
+            with suppress(Error):
+                self.visitor.open(self.link)
+                if self.visitor.value(LOADED):
+                    return
+            time.sleep(1.0)
+        raise AssertionError("the page cannot be opened")
 
     def go_on(self, clicks: int | None = None) -> str:
         """Do what the page asks for, so many clicks or to the end; returns the sheet that is shown, or ''."""
@@ -118,26 +140,35 @@ class Hand:
 
     def _answer(self) -> None:
         page = self.visitor.page
+        if page.query_selector("#sheet-form [type=submit]:enabled") is None:
+            return  # it counts down, or waits for the service
         for radio in page.query_selector_all("#sheet-form [type=radio]")[:1]:
             radio.check()
         for number in page.query_selector_all("#sheet-form [type=number]"):
             number.fill("40")
-        page.click("#sheet-form [type=submit]:enabled")
+        self.visitor.value("document.querySelector('#sheet-form [type=submit]')?.click()")
         self.visitor.value(FRAMES)
 
     def _click(self, goal: dict[str, Any]) -> None:
         left, top, *_ = self.visitor.corner("#task-scene")
-        x, y = self._rng.normal(0.0, goal["width"] / 4.0 if goal["running"] else 0.0, 2)
-        end = left + goal["x"] + round(x), top + goal["y"] + round(y)
-        self.visitor.reach(self._place, end, self._seconds)
-        self.visitor.click(*end)
-        self._place, self.clicks = end, self.clicks + 1
+        target = left + goal["x"], top + goal["y"]
+        if self._person is None or not goal["running"]:
+            x, y = self._rng.normal(0.0, goal["width"] / 4.0 if goal["running"] else 0.0, 2)
+            target = target[0] + round(x), target[1] + round(y)
+            self.visitor.reach(self._place, target, 0.12)
+        else:
+            target = self._move(self._person, target, goal["width"])
+        self.visitor.click(*target)
+        self._place, self.clicks = target, self.clicks + 1
         self.visitor.value(FRAMES)
 
-
-def rows_of(file: Path) -> list[dict[str, Any]]:
-    """The participants' state as ``pointpred study status --json`` tells it."""
-    command = [sys.executable, "-m", "pointpred", "study", "status", str(file), "--json"]
-    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    rows: list[dict[str, Any]] = json.loads(told)["participants"]
-    return rows
+    def _move(self, person: Person, target: tuple[float, float], width: float) -> tuple[float, float]:
+        """Play a simulated movement at 200 Hz without its reaction time; returns where it ends, whole px."""
+        (x, y), start = target, self._place
+        moved = move(person, SETUP, Aim(x - start[0], y - start[1], width), self._rng).events(start).table
+        path = moved[(moved[:, 3:5] != 0.0).any(axis=1)][::5]
+        began = time.perf_counter() - path[0, 0]
+        for t, *at in path[:, :3].tolist():
+            time.sleep(max(0.0, began + t - time.perf_counter()))
+            self.visitor.mouse("mouseMoved", *at)
+        return float(round(moved[-1, 1])), float(round(moved[-1, 2]))

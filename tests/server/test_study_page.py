@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,7 +11,8 @@ import numpy as np
 import pytest
 
 from pointpred.recordings import read
-from pointpred.studies.export import export
+from pointpred.simulation.person import people
+from pointpred.studies.export import export, status
 from pointpred.studies.folder import Study
 from pointpred.studies.plan import plan_of
 from tests.server import browser, page_browser
@@ -110,3 +112,45 @@ def test_a_page_says_what_is_in_the_way(visitor: Visitor, service: Served) -> No
     hand.go_on(2)  # after a click on "Go on here"
     one = Study(service.design).participants["P01"]
     assert [done.movement for done in one.done()][:2] == [1, 2]
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(3000)
+def test_twelve_people_whose_service_is_killed_every_few_seconds(
+    visitor: Visitor, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    design = tmp_path / "pointing.toml"
+    few = DESIGN.replace("participants = 3", "participants = 12").replace("[20, 40]", "[40]")
+    design.write_text(
+        few.replace("break_s", 'blocks = 2\non_error = "repeat"\nbreak_s').replace("= 1\n", "= 0.2\n", 1)
+    )
+    rng, kills, stop = np.random.default_rng(12), 0, threading.Event()
+    with served(design) as service:
+
+        def kill() -> None:
+            nonlocal kills
+            while not stop.wait(rng.uniform(6.0, 12.0)):
+                service.kill()
+                service.start()
+                kills += 1
+
+        killer = threading.Thread(target=kill)
+        killer.start()
+        reloads = 0
+        try:
+            for i, person in enumerate(people(12, 4)):
+                hand = Hand(visitor, service.links[f"P{i + 1:02}"], i, person)
+                hand.open()
+                while hand.go_on(int(rng.integers(5, 25))) != "The end":
+                    hand.open()
+                    reloads += 1
+        finally:
+            stop.set()
+            killer.join()
+    study = Study(design)
+    check(study, study.design.codes, tmp_path / "all_samples.parquet")
+    assert [one.state for one in status(study)] == ["done"] * 12
+    files = sum(len(one.parts(code)) for code, one in study.participants.items())
+    with capsys.disabled():
+        told = sum(one.movements for one in status(study)), sum(one.missed for one in status(study))
+        print(f"\n{kills} kills, {reloads} reloads, {files} files, {told[0]} movements, {told[1]} missed")

@@ -39,7 +39,7 @@ Folder = Annotated[
         help="Folder of the data. Not given: beside the design, with its name.",
     ),
 ]
-SERVED = ("host", "port", "allow_host", "allow_origin", "trust_proxy")
+SERVED = ("host", "port", "allow_host", "trust_proxy")
 
 
 @app.command()

@@ -1,6 +1,6 @@
 // A sheet of the study: a heading, text, questions and buttons.
 
-import { part } from "../shell/elements.js";
+import { part, write } from "../shell/elements.js";
 
 /**
  * @typedef {{name: string, text: string, kind: "text"|"number", choices: string[], low: number|null, high: number|null, required: boolean}} Question
@@ -46,6 +46,9 @@ function check(questions) {
   return wrong.length === 0;
 }
 
+/** Says something below the sheet. @param {string} words */
+export const note = (words) => write(part("sheet-note"), words);
+
 /**
  * Shows a sheet, and waits for one of its buttons; without buttons it stays.
  * @param {string} title @param {string} text
@@ -66,7 +69,12 @@ export function ask(title, text, { buttons, questions = [], waitS = 0 } = {}) {
   if (first) form.append(make("div", { className: "buttons" }, first, ...(second ? [second] : [])));
   part("sheet-title").focus();
   window.scrollTo(0, 0);
-  return new Promise((resolve) => {
+  note("");
+  return new Promise((done) => {
+    const resolve = (found) => {
+      for (const button of form.querySelectorAll("button")) button.disabled = true; // until the next sheet: this answer is being saved
+      done(found);
+    };
     if (first && waitS > 0) countDown(/** @type {HTMLButtonElement} */ (first), waitS);
     form.onsubmit = (event) => {
       event.preventDefault();

@@ -6,7 +6,7 @@ import { listenToPointer } from "../shell/pointer.js";
 import { aboutPage } from "./about-page.js";
 import { drawTask } from "./picture.js";
 import { Refused, read, Sender } from "./service.js";
-import { ask } from "./sheet.js";
+import { ask, note } from "./sheet.js";
 import { PointingTask } from "./task.js";
 
 const MARGIN_PX = 4; // around the targets
@@ -20,6 +20,7 @@ const [statusLine, troubleBox] = ["task-status", "task-trouble"].map(part);
 const loop = new FrameLoop(frame);
 const sender = new Sender((message) => {
   trouble = message;
+  note(message === null ? "" : `Not saved yet: ${message}. Please wait, and leave this page open.`);
   if (message !== null) task?.interrupt();
 });
 
