@@ -20,7 +20,7 @@ State = Literal["not begun", "under way", "done"]
 
 
 class Progress(Struct, frozen=True):
-    """How far a participant is. ``movements`` stored of ``planned``, attempts that missed among them."""
+    """How far a participant is: ``movements`` of ``planned``. ``missed`` counts every attempt."""
 
     participant: str
     state: State
@@ -48,7 +48,7 @@ def _progress(one: Participant, link: str) -> Progress:
         one.code,
         "done" if ended else "under way",
         link,
-        len(done),
+        len({(movement.sequence, movement.movement) for movement in done}),
         planned,
         sum(not movement.hit for movement in done),
         about.agreed_at,

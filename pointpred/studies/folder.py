@@ -134,7 +134,9 @@ class Study:
 
     def find(self, link: str) -> Participant | None:
         """Whose link this is."""
-        found = [code for code, one in self.links().items() if secrets.compare_digest(one, link)]
+        found = [
+            code for code, one in self.links().items() if secrets.compare_digest(one.encode(), link.encode())
+        ]
         return self.participants[found[0]] if found else None
 
     def close(self) -> None:

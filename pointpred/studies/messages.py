@@ -78,4 +78,5 @@ Message = Agreed | Opened | Answered | Moved
 
 def decode(body: bytes) -> Message:
     """The message in a request's body; raises ValueError."""
-    return msgspec.json.decode(body, type=Message)
+    message: Message = msgspec.json.decode(body, type=Message)
+    return message

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -45,7 +46,7 @@ def test_a_link_reaches_its_participant_and_no_other(study: Study, served: Runni
     assert (len(one.done()), len(other.done())) == (1, 0)
     assert not other.folder.exists()
     assert "P02" not in get(urls["P01"], timeout=PATIENCE_S).text
-    for wrong in ("P01", "x" * 22, "..%2FP01", ""):
+    for wrong in ("P01", "x" * 22, "..%2FP01", "%C3%A9", ""):
         assert get(f"{served.url}/v1/study/{wrong}", timeout=PATIENCE_S).status_code == 404
         assert send(f"{served.url}/v1/study/{wrong}", Agreed(PAGE)).status_code in (404, 405)
     assert get(f"{served.url}/study/{study.links()['P01']}", timeout=PATIENCE_S).status_code == 200
@@ -74,6 +75,21 @@ def test_bodies_are_bounded_and_checked(study: Study, served: Running) -> None:
     for body in (b"", b"\xff", b"[]", b'{"type":"other"}', good.replace(b'"clicks":1', b'"clicks":1e99')):
         assert send(url, body).json()["code"] == "bad_field"
     assert not one.folder.exists()
+
+
+def test_participants_at_the_same_time_do_not_disturb_each_other(study: Study, served: Running) -> None:
+    def part(code: str) -> list[int]:
+        one, url = study.participants[code], f"{served.url}/v1/study/{study.links()[code]}"
+        send(url, Agreed(PAGE))
+        sent = [movement(one, i, t=1.0 + 2.0 * i) for i in range(9)]
+        return [send(url, moved).json()["stored"] for moved in sent]
+
+    codes = study.design.codes
+    with ThreadPoolExecutor(len(codes)) as pool:
+        assert list(pool.map(part, codes)) == [list(range(1, 10))] * len(codes)
+    for code in codes:
+        stored = [(done.sequence, done.movement) for done in study.participants[code].done()]
+        assert stored == [(i // 3 + 1, i % 3 + 1) for i in range(9)]
 
 
 def test_other_services_have_no_study(service: Running) -> None:

@@ -132,10 +132,13 @@ def run(
 
 def answer_study(study: Study, settings: Settings, codes: Sequence[str]) -> None:
     """Serve a study until interrupted, and print the links of these participants."""
+    from pointpred.recorder.recordings import prepare
     from pointpred_server.listening import serve as answer
     from pointpred_server.logs import set_up
     from pointpred_server.service import Service
 
+    if prepare(study.folder):
+        remark(f"others on this machine can look into {study.folder}: chmod 700 {study.folder}")
     settings = settings.guarded()
     set_up(settings.log_format)
     opened = open_port(settings)

@@ -1,7 +1,6 @@
 // The table of a circle run: a row for each movement, with what was shown while it was made.
 
 import { UNPREDICTED } from "../../lib/prediction/row.js";
-import { scoreOfAnswers } from "../../lib/prediction/scoring.js";
 import { number } from "../shell/numbers.js";
 
 /**
@@ -9,7 +8,8 @@ import { number } from "../shell/numbers.js";
  * newest one counts, and the pointer itself before the first.
  * @param {import("../study/task.js").Trial} trial @param {import("../../lib/index.d.ts").Prediction[]} shown in the order of time
  */
-export function scoreOfShown({ start, rows }, shown) {
+export async function scoreOfShown({ start, rows }, shown) {
+  const { scoreOfAnswers } = await import("../../lib/prediction/scoring.js");
   const own = shown.filter(({ t }) => t > start[0]);
   const samples = rows.map(([t, x, y, dx, dy, buttons]) => [t, x, y, dx ?? NaN, dy ?? NaN, buttons]);
   let next = 0;
