@@ -127,8 +127,11 @@ def test_a_page_says_what_is_in_the_way(visitor: Visitor, service: Served) -> No
     hand = Hand(visitor, service.links["P01"], 1)
     hand.open()
     hand.go_on(2)
-    visitor.resize(200, 200)
-    visitor.value(FRAMES)
+    for size in ((390, 800), (200, 200)):
+        visitor.resize(*size)
+        visitor.value(FRAMES)
+        left, top, width, height = visitor.corner("#task-scene")
+        assert (left, left + width, top + height) == (0, *size)
     assert "too small" in visitor.text("#task-trouble")
     visitor.resize(1280, 720)
     hand.go_on(2)

@@ -64,7 +64,7 @@ function frame() {
   troubleBox.hidden = why === null;
   write(troubleBox, why ?? "");
   const phase = sequence.phase === "practice" ? "Practice. " : "";
-  const how = task.running ? "" : " Click the filled target to begin.";
+  const how = task.running ? "" : " Click the filled target.";
   write(statusLine, `${phase}Movement ${Math.min(before + 1, total)} of ${total}.${how}`);
   [progress.max, progress.value] = [total, before];
   drawTask(canvas, {
