@@ -20,6 +20,9 @@ Words = Annotated[str, Meta(min_length=1, max_length=20_000)]
 Px = Annotated[float, Meta(ge=1.0, le=10_000.0)]
 Unknown = re.compile(r"contains unknown field `(.*?)`")
 
+MOST_MOVEMENTS = 20_000
+"""Of a participant: more take a day without sleep."""
+
 TEMPLATE = '''\
 # A study of pointing. Change what you need, then:
 #   pointpred study serve {file}     prints a link for each participant
@@ -141,6 +144,12 @@ class Design(Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
             raise ValueError(
                 f"widths_px: every width must be below every distance, or two targets in turn overlap; "
                 f"received a width of {max(self.widths_px):g} and a distance of {min(self.distances_px):g}"
+            )
+        conditions = len(self.tasks) * len(self.distances_px) * len(self.widths_px)
+        movements = (self.blocks + self.practice_blocks) * conditions * self.movements
+        if movements > MOST_MOVEMENTS:
+            raise ValueError(
+                f"blocks: {movements} movements of each participant, expected at most {MOST_MOVEMENTS}"
             )
         for question in self.questions:
             if question.choices and (question.kind == "number" or question.low is not None):

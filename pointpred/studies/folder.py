@@ -12,6 +12,7 @@ pointing/P01/P01-mouse-1_samples.csv   what the mouse itself sent, where ``study
 from __future__ import annotations
 
 import csv
+import os
 import secrets
 import shutil
 import threading
@@ -27,7 +28,7 @@ import numpy as np
 from msgspec import Struct
 
 from pointpred.errors import ParameterError, SourceError
-from pointpred.files import write_whole
+from pointpred.files import whole
 from pointpred.recorder.files import SessionFiles, sample_rows, trial_row
 from pointpred.recorder.recordings import prepare
 from pointpred.recorder.writer import about_of
@@ -35,7 +36,7 @@ from pointpred.recording import Provenance
 from pointpred.records import FloatArray
 from pointpred.studies.design import Design, read_design
 from pointpred.studies.messages import Agreed, Answered, Message, Moved, PageAbout
-from pointpred.studies.plan import plan_of
+from pointpred.studies.plan import Sequence, plan_of
 
 FORMAT = "pointpred study"
 CLOCK = "seconds of the browser's clock"
@@ -130,7 +131,7 @@ class Study:
         return {code: links[code] for code in self.design.codes}
 
     def _write_links(self, links: dict[str, str]) -> None:
-        write_whole(self.folder / LINKS, msgspec.json.format(msgspec.json.encode(links), indent=2))
+        _write(self.folder / LINKS, msgspec.json.format(msgspec.json.encode(links), indent=2))
 
     def find(self, link: str) -> Participant | None:
         """Whose link this is."""
@@ -173,11 +174,16 @@ class Participant:
         self.study = study
         self.code = code
         self.folder = study.folder / code
-        self.plan = plan_of(study.design, index)
         self.mouse: Mouse | None = None
         """The participant's mouse, where it is attached to this machine and is recorded as well."""
+        self._index = index
         self._files: dict[str, SessionFiles] = {}
         self._lock = threading.Lock()
+
+    @cached_property
+    def plan(self) -> list[Sequence]:
+        """The sequences of movements."""
+        return plan_of(self.study.design, self._index)
 
     @property
     def about(self) -> About | None:
@@ -225,13 +231,11 @@ class Participant:
     def state(self) -> dict[str, Any]:
         """How far the participant is, for the page."""
         about, done = self.about, self.done()
-        following = self.next(done)
         return {
             "agreed": about is not None,
             "questions": self.waiting(),
             "stored": len(done),
-            "next": following,
-            "attempt": attempt_of(done, following),
+            "next": self.next(done),
         }
 
     def take(self, message: Message) -> None:
@@ -270,7 +274,7 @@ class Participant:
         design = self.study.design
         prepare(self.folder)
         if not (kept := self.study.folder / DESIGN).exists():
-            write_whole(kept, self.study.text.encode())
+            _write(kept, self.study.text.encode())
         at = _now()
         self._write(About(self.code, design.name, design.consent, at, [OpenedPage(at, page)]))
 
@@ -286,7 +290,7 @@ class Participant:
         self._write(about)
 
     def _write(self, about: About) -> None:
-        write_whole(self.folder / ABOUT, msgspec.json.format(msgspec.json.encode(about), indent=2))
+        _write(self.folder / ABOUT, msgspec.json.format(msgspec.json.encode(about), indent=2))
 
     def _add(self, moved: Moved) -> None:
         """Append a movement, unless it is there already: then a page did not hear that it is."""
@@ -377,6 +381,14 @@ def attempt_of(done: list[Done], following: tuple[int, int] | None) -> int:
     last = done[-1] if done else None
     again = last is not None and (last.sequence, last.movement) == following
     return last.attempt + 1 if last is not None and again else 1
+
+
+def _write(path: Path, content: bytes) -> None:
+    """Write a file whole, so that it survives a loss of power."""
+    with whole(path) as stream:
+        stream.write(content)
+        stream.flush()
+        os.fsync(stream.fileno())
 
 
 def _read_done(file: Path) -> Iterator[Done]:

@@ -34,6 +34,7 @@ from tests.studied import DESIGN, PAGE, movement, study_in, take_part
         ("widths_px = [20, 20]", "widths_px = [20, 40]", "widths_px: 20.0 stands there twice"),
         ('tasks = ["cicle"]', 'tasks = ["circle", "reciprocal"]', "tasks[0]: Invalid enum value 'cicle'"),
         ('name = "../x"', 'name = "pointing"', "name: Expected `str` matching regex"),
+        ("movements = 101\nblocks = 99", "movements = 3", "39996 movements of each participant"),
         ("title = ", 'title = "A study"', "at line"),
         ('high = "1"', "high = 100", "questions[1].high: Expected"),
         ('choices = ["left", "left"]', 'choices = ["left", "right"]', "'left' stands there twice"),
