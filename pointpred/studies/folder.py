@@ -90,6 +90,7 @@ class Study:
         self.design = read_design(file)
         self.text = file.read_text(encoding="utf-8")
         self.folder = file.with_suffix("") if folder is None else folder
+        self._lock = threading.Lock()
         if self.folder.exists() and not self.folder.is_dir():
             raise ParameterError(f"{self.folder} is no folder; name another with --folder")
         kept = self.folder / DESIGN
@@ -122,13 +123,14 @@ class Study:
 
     def links(self) -> dict[str, str]:
         """The secret link of each participant; made where there is none."""
-        place = self.folder / LINKS
-        known = msgspec.json.decode(place.read_bytes(), type=dict[str, str]) if place.exists() else {}
-        links = known | {code: secrets.token_urlsafe(16) for code in self.design.codes if code not in known}
-        if links != known:
-            prepare(self.folder)
-            self._write_links(links)
-        return {code: links[code] for code in self.design.codes}
+        with self._lock:
+            place, codes = self.folder / LINKS, self.design.codes
+            known = msgspec.json.decode(place.read_bytes(), type=dict[str, str]) if place.exists() else {}
+            links = known | {code: secrets.token_urlsafe(16) for code in codes if code not in known}
+            if links != known:
+                prepare(self.folder)
+                self._write_links(links)
+            return {code: links[code] for code in codes}
 
     def _write_links(self, links: dict[str, str]) -> None:
         _write(self.folder / LINKS, msgspec.json.format(msgspec.json.encode(links), indent=2))
@@ -139,6 +141,12 @@ class Study:
             code for code, one in self.links().items() if secrets.compare_digest(one.encode(), link.encode())
         ]
         return self.participants[found[0]] if found else None
+
+    def keep_design(self) -> None:
+        """Write the design beside the data, unless it is there."""
+        with self._lock:
+            if not (kept := self.folder / DESIGN).exists():
+                _write(kept, self.text.encode())
 
     def close(self) -> None:
         """Close the files of all participants."""
@@ -273,8 +281,7 @@ class Participant:
             return
         design = self.study.design
         prepare(self.folder)
-        if not (kept := self.study.folder / DESIGN).exists():
-            _write(kept, self.study.text.encode())
+        self.study.keep_design()
         at = _now()
         self._write(About(self.code, design.name, design.consent, at, [OpenedPage(at, page)]))
 
