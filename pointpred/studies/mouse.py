@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from msgspec.structs import replace
@@ -36,7 +36,8 @@ class MouseReader:
     mouse that another clock than the monotonic one stamps. Raises ParameterError for a source without counts.
     """
 
-    def __init__(self, source: DeviceSource, cpi: float | None) -> None:
+    def __init__(self, source: DeviceSource, cpi: float | None, failed: Callable[[str], None]) -> None:
+        """``failed`` is told, from the reader's thread, when the mouse can be read no more."""
         if not has_counts(source):
             raise ParameterError(
                 f"{source.name} sends no counts: 'study run' records a mouse", field="device"
@@ -49,7 +50,7 @@ class MouseReader:
         self._events: deque[PointerEvent] = deque(maxlen=MOST)
         self._lock = threading.Lock()
         self._epoch, self._offset = float("-inf"), 0.0
-        self._thread = SessionThread(LiveSession(source, path, build("hold"), watchers=[self._take]))
+        self._thread = SessionThread(LiveSession(source, path, build("hold"), watchers=[self._take]), failed)
 
     def start(self) -> None:
         """Read from now on."""

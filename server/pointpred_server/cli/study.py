@@ -121,7 +121,7 @@ def run(
     one = study.chosen(participant)
     settings = settings_of(host="127.0.0.1", port=port)
     with choose(device, remark) as source:
-        one.mouse = mouse = MouseReader(source, counts_per_inch(source, cpi))
+        one.mouse = mouse = MouseReader(source, counts_per_inch(source, cpi), remark)
         mouse.start()
         try:
             answer_study(study, settings, [one.code])
