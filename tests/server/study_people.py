@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from playwright.sync_api import Error
 
+from pointpred.errors import SourceError
 from pointpred.simulation.circle import SETUP
 from pointpred.simulation.movement import Aim, move
 from pointpred.simulation.person import Person
@@ -132,8 +133,10 @@ class Hand:
 
     def _asked(self) -> tuple[str, dict[str, Any] | None]:
         def asked() -> Any:
-            title, goal = self.visitor.value(f"[{SHEET}, {GOAL}]")
-            return (title, goal) if goal or title not in ("", "One moment…") else None
+            with suppress(SourceError):  # the page is loaded again
+                title, goal = self.visitor.value(f"[{SHEET}, {GOAL}]")
+                return (title, goal) if goal or title not in ("", "One moment…") else None
+            return None
 
         found: tuple[str, dict[str, Any] | None] = until(asked, "a sheet or a target")
         return found
@@ -147,7 +150,8 @@ class Hand:
         for number in page.query_selector_all("#sheet-form [type=number]"):
             number.fill("40")
         self.visitor.value("document.querySelector('#sheet-form [type=submit]')?.click()")
-        self.visitor.value(FRAMES)
+        with suppress(SourceError):
+            self.visitor.value(FRAMES)
 
     def _click(self, goal: dict[str, Any]) -> None:
         left, top, *_ = self.visitor.corner("#task-scene")
