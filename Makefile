@@ -60,7 +60,7 @@ soak: $(READY)  ## mixed clients against a real service for MINUTES (60), every 
 
 faults: $(READY)  ## inject faults: full, read-only and slow disks, clocks, cut networks, signals, limits
 	$(BIN)/python -m pytest -q -m '' tests/faults tests/server/test_recorder_killed.py tests/server/test_rolling_restart.py \
-		tests/unit/test_batch.py
+		tests/server/test_study_page.py tests/unit/test_batch.py
 
 observers: $(READY)  ## the longer tests of observers: random plants in other units, every figure of the sources
 	$(BIN)/python -m pytest -q -m slow observers/tests tests/reproduction

@@ -73,6 +73,10 @@ ELSEWHERE = {
         "pointpred-server",
         "Serve the live page and the WebSocket; prints the address once the page can be opened.",
     ),
+    "study": (
+        "pointpred-server",
+        "A study of pointing with participants: its design, its page, one recording of all.",
+    ),
 }
 """Commands of distributions that may not be installed: where they are, and the first line of their help."""
 GROUPED = ("datasets", "devices", "recordings")

@@ -35,6 +35,7 @@ from pointpred_server.openapi import (
 )
 from pointpred_server.page import WEB, page
 from pointpred_server.service import Service
+from pointpred_server.study import add_study
 from pointpred_server.websocket_protocol import NO_DEVICE
 
 SCRIPT = "text/javascript"
@@ -86,6 +87,8 @@ def create_app(service: Service | None = None, announce: Callable[[], None] = la
     _add_read(app, "/v1/samples/{name}", _sample, responses=error_responses(401, 403, 404, 422))
     app.router.routes.append(Route("/v1/stream", _stream, include_in_schema=False))
     _add_read(app, "/v1/live", _live, responses=GUARDED)
+    if serving.study is not None:
+        add_study(app)
     app.mount("/web", StaticFiles(directory=WEB))
     return app
 

@@ -16,7 +16,7 @@ from pointpred_server.page import WEB, page
 MOVEMENTS = 12
 """Movements of the embedded sample that go with the page."""
 LEFT_OUT = (
-    *("index.html", "package.json", "README.md", "*.d.ts", "example.*"),
+    *("index.html", "study.html", "package.json", "README.md", "*.d.ts", "example.*"),
     *("entries", "frameworks", "human", "script"),
 )
 """The page without its links, and what is for pages of other people."""

@@ -28,8 +28,8 @@ SHARED_HEADERS = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Pol
 """Any page may load the client and its parts, and ask whether its origin may connect."""
 CLIENT = ("/pointpred.js", "/web/lib/", "/v1/origin")
 READ = ["GET", "HEAD"]
-OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js", "/v1/origin")
-"""Paths that need no token: they hold nothing of anybody."""
+OPEN = ("/healthz", "/readyz", "/web/", "/pointpred.js", "/v1/origin", "/study/", "/v1/study/")
+"""Paths that need no token: they hold nothing of anybody, or have a secret of their own."""
 
 
 def json_response(value: Any, status: int = 200) -> Response:

@@ -44,6 +44,11 @@ def page(service: bool = True) -> str:
     return text.replace(MODULES_PLACE, "\n".join(_links())).replace(FILES_PLACE, "" if service else FILES)
 
 
+def study_page() -> str:
+    """The page of a study."""
+    return (WEB / "page" / "study.html").read_text(encoding="utf-8")
+
+
 @cache
 def _links() -> tuple[str, ...]:
     """A link for each module, so that none waits for the one that imports it."""

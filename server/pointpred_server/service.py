@@ -13,6 +13,7 @@ from pointpred.clock import Instant, now
 from pointpred.protocol.client_messages import Hello
 from pointpred.protocol.server_messages import Code
 from pointpred.recorder.writer import Recorder
+from pointpred.studies.folder import Study
 from pointpred_server.access import TOKEN_NEEDED, HostRule, RefusedOrigins, Scope, has_token, network_of
 from pointpred_server.live_feed import LiveFeed
 from pointpred_server.metrics import Metrics, SessionCounts
@@ -66,6 +67,8 @@ class Service:
         self.stopping = False
         self.live: LiveFeed | None = None
         """The attached device, where there is one."""
+        self.study: Study | None = None
+        """The study whose participants are served, where there is one."""
         self.aside = ThreadPoolExecutor(1, "trials")
         """Does what takes sessions long: one thing at a time, while the event loop goes on."""
         self._addresses = Addresses(self.settings.limits)
@@ -169,6 +172,8 @@ class Service:
         self.aside.shutdown(wait=False, cancel_futures=True)
         if self.recorder is not None:
             self.recorder.close(WRITE_S)
+        if self.study is not None:
+            self.study.close()
 
     def _observe(self, name: str, hello: Hello) -> SessionObserver | None:
         return self.recorder.open(name, hello) if self.recorder else None

@@ -64,6 +64,7 @@ MAY_IMPORT = {
     "training": PIPELINE | {"scoring", "recordings", "pointpred"},
     "protocol": PIPELINE | {"clock", "scoring"},
     "recorder": GROUND | {"protocol", "recordings"},
+    "studies": PIPELINE | {"clock", "simulation", "recordings", "protocol", "recorder", "devices", "live"},
     "client": {"errors", "extras", "records", "registry", "protocol"},
     "live": PIPELINE
     | {"clock", "console", "devices", "recordings", "scoring", "protocol", "client", "recorder"},
@@ -93,6 +94,7 @@ MAY_IMPORT = {
     "pointpred_server": PIPELINE
     | {
         *("console", "protocol", "simulation", "scoring", "recordings", "datasets", "recorder"),
+        *("studies", "devices"),
         *("clock", "live", "cli", "pointpred"),
     },
     "pointpred_observers": MATHS | {"drawing"},

@@ -13,7 +13,19 @@ PACKAGE = (
     "script",
 )
 PAGE = (
-    *("vendor", "shell", "drawing", "service", "live", "circle", "replay", "assist", "device", "page.js"),
+    *(
+        "vendor",
+        "shell",
+        "drawing",
+        "service",
+        "study",
+        "live",
+        "circle",
+        "replay",
+        "assist",
+        "device",
+        "page.js",
+    ),
     "example.js",
 )
 ORDER = (*(f"lib/{room}" for room in PACKAGE), *(f"page/{room}" for room in PAGE))

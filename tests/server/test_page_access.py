@@ -70,6 +70,7 @@ STOPS = {
         "distance",
         "width",
         "blocks",
+        "participant",
         "circle-predictor",
         "shown",
         "circle-start",

@@ -36,13 +36,13 @@ def call(visitor: Visitor, module: str, expression: str, **given: Any) -> Any:
 
 @pytest.mark.parametrize(("distance", "count"), [(300.0, 13), (120.5, 3), (500.0, 41)])
 def test_targets_lie_where_the_simulation_puts_them(visitor: Visitor, distance: float, count: int) -> None:
-    placed = call(visitor, "page/circle/task", "m.circle(d, [10, 20], n)", d=distance, n=count)
+    placed = call(visitor, "page/study/task", "m.circle(d, [10, 20], n)", d=distance, n=count)
     assert np.allclose(placed, positions(distance, (10.0, 20.0), count), atol=1e-9)
 
 
 def test_an_even_number_of_targets_is_refused(visitor: Visitor) -> None:
     attempt = "{ try { m.circle(100, [0, 0], 12) } catch (error) { return error.name } }"
-    assert call(visitor, "page/circle/task", attempt) == "RangeError"
+    assert call(visitor, "page/study/task", attempt) == "RangeError"
 
 
 @pytest.mark.parametrize("tail", [None, 0.6, 1.4, 30.0, 1e-3, 1e15, 1e200])
@@ -87,7 +87,8 @@ def test_median(visitor: Visitor, values: list[float]) -> None:
 
 
 PRESSES = """(() => {
-  const task = new m.CircleTask({ targets: 3, distance: 100, width: 20, blocks: 2, centre: [0, 0] });
+  const one = { width: 20, height: null, movements: 3, places: m.circle(100, [0, 0], 3) };
+  const task = new m.PointingTask([{ ...one, block: 1 }, { ...one, block: 2 }], [0, 0]);
   const press = (t, off = 0) => {
     const { x, y } = task.goal;
     const row = [t, x + off, y, null, null, 1];
@@ -97,17 +98,17 @@ PRESSES = """(() => {
   press(0, 15);
   const before = [task.running, task.misplaced, task.trials.length];
   const ends = [press(1), press(2), press(3, 15), press(4), press(5, -15)];
-  const between = [task.running, task.block, task.misplaced, task.done];
+  const between = [task.running, task.sequence.block, task.misplaced, task.done];
   press(6); press(7); press(8); press(9);
   const late = press(10);
   const ended = ends.map((one) => one && [one.number, one.hit, one.rows.length]);
-  return { before, between, ended, done: task.done, late,
-     all: task.trials.map(({ block, number, rows }) => [block, number, rows[0][0], rows.length]) };
+  const told = ({ sequence, number, rows }) => [sequence.block, number, rows[0][0], rows.length];
+  return { before, between, ended, done: task.done, late, all: task.trials.map(told) };
 })()"""
 
 
 def test_a_block_begins_on_its_first_target_and_a_miss_counts(visitor: Visitor) -> None:
-    found = call(visitor, "page/circle/task", PRESSES)
+    found = call(visitor, "page/study/task", PRESSES)
     assert found["before"] == [False, 1, 0]
     assert found["ended"] == [None, [1, True, 2], [2, False, 2], [3, True, 2], None]
     assert found["between"] == [False, 2, 2, False]
@@ -117,11 +118,48 @@ def test_a_block_begins_on_its_first_target_and_a_miss_counts(visitor: Visitor) 
     assert [row[2] for row in found["all"]] == pytest.approx([1.99, 2.99, 3.99, 6.99, 7.99, 8.99])
 
 
+ON_ERROR = """["go-on", "repeat", "until-inside"].map((onError) => {
+  const one = { width: 20, height: 60, movements: 2, places: [[-50, 0], [50, 0]] };
+  const task = new m.PointingTask([one], [100, 100], onError);
+  const press = (t, dx, dy = 0) => {
+    const row = [t, task.goal.x + dx, task.goal.y + dy, null, null, 1];
+    task.move([row]);
+    task.select(row);
+  };
+  press(0, 0); press(1, 11); press(2, 0, 29); press(3, 0); press(4, 0); press(5, 0);
+  const told = ({ number, hit, clicks, from, rows }) => [number, hit, clicks, from[0], rows.length];
+  return [task.done, ...task.trials.map(told)];
+})"""
+
+
+def test_what_follows_a_miss_of_a_bar(visitor: Visitor) -> None:
+    go_on, repeat, inside = call(visitor, "page/study/task", ON_ERROR)
+    assert go_on == [True, [1, False, 1, 50, 1], [2, True, 1, 150, 1]]
+    assert repeat == [True, [1, False, 1, 50, 1], [1, True, 1, 50, 1], [2, True, 1, 150, 1]]
+    assert inside == [True, [1, False, 2, 50, 2], [2, True, 1, 150, 1]]
+
+
+MANY = """(() => {
+  const one = { width: 20, height: null, movements: 1, places: [[0, 0], [50, 0]] };
+  const task = new m.PointingTask([one], [0, 0]);
+  task.select([0, 0, 0]);
+  for (let i = 1; i <= 700; i++) task.move(Array.from({ length: 100 }, (_, k) => [i + k / 100, 0, 0]));
+  task.move([[800, 50, 0]]);
+  const { rows, lost } = task.select([800, 50, 0]);
+  return [rows.length, rows.at(-1)[0], lost];
+})()"""
+
+
+def test_a_movement_without_end_keeps_its_end_and_counts_what_is_lost(visitor: Visitor) -> None:
+    assert call(visitor, "page/study/task", MANY) == [60_000, 800, 70_001 - 60_000]
+
+
 def trial(number: int, start: list[float], end: list[float], block: int = 1, **other: Any) -> dict[str, Any]:
     """A movement along the x axis from 0 to 100."""
-    about = {"from": [0.0, 0.0], "target": [100.0, 0.0], "width": 20.0, "distance": 100.0, "hit": True}
+    sequence = {"block": block, "width": 20.0, "distance": 100.0}
+    about = {"from": [0.0, 0.0], "target": [100.0, 0.0], "sequence": sequence, "hit": True}
     rows = [[*start, None, None, 0], [*end, None, None, 1]]
-    return about | {"block": block, "number": number, "start": rows[0], "end": rows[1], "rows": rows} | other
+    return about | {"number": number, "start": rows[0], "end": rows[1], "rows": rows} | other
 
 
 def test_statistics_of_a_block_worked_out_by_hand(visitor: Visitor) -> None:
@@ -169,11 +207,12 @@ def test_recordings_read_back_to_the_same_bits(visitor: Visitor, tmp_path: Path)
         ]
         trials.append(trial(number, [10.0 * number, 0.1, 0.2], [rows[-1][0], 99.7, 1e-7], rows=rows))
     trials[1]["rows"] = []
-    files = call(visitor, "page/circle/recording", "m.recording(t, 'night')", t=trials)
+    files = call(visitor, "page/circle/recording", "m.recording(t, 'night', 'P07')", t=trials)
     for file in files.values():
         (tmp_path / file["name"]).write_text(file["text"], encoding="utf-8")
     recording = read(tmp_path / "night_samples.csv")
     assert recording.name == "night"
+    assert {one.user for one in recording.trials} == {"P07"}
     assert [skip.trial for skip in recording.skipped] == ["block-1-movement-2"]
     assert [one.condition["hit"] for one in recording.trials] == [1.0, 1.0]
     for i, one in enumerate((trials[0], trials[2])):
@@ -246,3 +285,22 @@ def test_an_entry_takes_nothing_from_the_prediction_of_another_tile(visitor: Vis
     times = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
     said = call(visitor, "page/live/takes", "m.proposedAt(times, choices)", times=times, choices=choices)
     assert said == [None, "goal", "goal", "goal", "goal", "other", "other"]
+
+
+def test_a_row_is_scored_by_what_was_shown_meanwhile(visitor: Visitor) -> None:
+    """The same by numpy: at each sample the newest prediction counts, from the onset to the arrival."""
+    t = np.arange(0.0, 0.5, 0.01)
+    x = 400.0 * np.clip(t / 0.4, 0.0, 1.0) ** 2
+    rows = [[2.0 + s, p, 10.0, None, None, 0] for s, p in zip(t.tolist(), x.tolist(), strict=True)]
+    shown = [{"t": 2.0 + s, "x": 300.0 + 200.0 * s, "y": 10.0} for s in (-0.05, 0.12, 0.2, 0.31)]
+    shown.append({"t": 2.35, "x": None, "y": None})
+    found = call(visitor, "page/circle/rows", "m.scoreOfShown({ start: [2.0], rows: r }, s)", r=rows, s=shown)
+    point = x.copy()
+    for one, until in zip(shown[1:4], (0.2, 0.31, 0.35), strict=True):
+        point[(2.0 + t >= one["t"]) & (t < until)] = one["x"]
+    onset, stop = int(np.flatnonzero(x <= 3.0)[-1]), int(np.flatnonzero(np.abs(x - 400.0) > 12.0)[-1]) + 1
+    weight = np.diff(t)[onset:stop]
+    for name, at in (("time_averaged_px", point), ("hold_px", x)):
+        assert found[name] == pytest.approx(
+            np.average(np.abs(at - 400.0)[onset:stop], weights=weight), rel=1e-9
+        )

@@ -13,13 +13,9 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from pointpred import RECOMMENDED, build
+from pointpred import RECOMMENDED
 from pointpred.cli.app import app
-from pointpred.protocol.scores import score_of
-from pointpred.recording import Recording
 from pointpred.recordings import read
-from pointpred.scoring import prepare, replay
-from pointpred.targets import Target
 from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor
 
@@ -68,19 +64,35 @@ def every(part: str, expression: str) -> str:
     return f"[...document.querySelectorAll({part!r})].map((one) => {expression})"
 
 
+SEEN = f"""import('/web/lib/pointpred.js').then(({{ Connection }}) => {{
+  window.seen = [];
+  const on = Connection.prototype.on;
+  Connection.prototype.on = function (name, hear) {{
+    const note = ({{ t, x, y }}) => seen.push([t, x, y]);
+    return on.call(this, name, name === "prediction" ? (told) => (note(told), hear(told)) : hear);
+  }};
+  for (const name of ["hold", "{RECOMMENDED}"]) {{
+    const select = document.querySelector("#circle-predictor");
+    select.value = name;
+    select.dispatchEvent(new Event("change"));
+  }}
+}})"""
+"""Notes what the page is told from now on: choosing another predictor and this one again connects anew."""
+
+
 class Finished:
     """What the page showed at the end of a run, and what it let be saved."""
 
     def __init__(self, visitor: Visitor, folder: Path) -> None:
         self.clicks = run_blocks(visitor)
         visitor.wait("!document.querySelector('#circle-result').hidden")
-        # each movement's score comes by the socket, whenever the service has time for it
         visitor.wait(f"{every('#circle-rows tr', 'one.dataset.px')}.every((px) => px !== undefined)")
         self.trial_px = [float(px) for px in visitor.value(every("#circle-rows tr", "one.dataset.px"))][::-1]
         self.missed = visitor.value(every("#circle-rows tr", "one.classList.contains('missed')"))[::-1]
         tiles = every("#circle-tiles div", "[one.firstChild.textContent, one.lastChild.dataset.exact]")
         self.tiles = {name: float(exact) for name, exact in visitor.value(tiles)}
         self.file = download(visitor, folder)
+        self.seen = [[math.nan if v is None else v for v in one] for one in visitor.value("seen")]
         self.complaints = visitor.complaints()
         self.shift = visitor.shift()
 
@@ -97,6 +109,7 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Finished]:
             "blocks": BLOCKS,
         }.items():
             visitor.value(f"document.querySelector('[name={name}]').value = {value}")
+        visitor.value(SEEN)
         visitor.wait("document.querySelector('#circle-connection').dataset.state === 'open'")
         visitor.value("document.querySelector('#circle-start').click()")
         yield Finished(visitor, tmp_path_factory.mktemp("downloads"))
@@ -119,31 +132,37 @@ def test_every_movement_of_every_block_was_made(finished: Finished) -> None:
     assert finished.shift < 0.01
 
 
-def given_the_circle(file: Path) -> list[float]:
-    """The time-averaged error of each movement of a recording where its targets are registered, px.
+def shown_px(finished: Finished) -> list[float]:
+    """How far what the page was told to show was from the end of each movement, time-averaged, px.
 
-    The client sends places in steps of 1/64 px.
+    At each sample the newest prediction since the movement began counts, before the first the pointer itself;
+    from the last sample within 3 px of the start to the first after which it stays near the end.
     """
-    recording = read(file)
-    centres = dict.fromkeys((trial.target_x, trial.target_y) for trial in recording.trials)
-    corners = [[round(64.0 * (float(at) - WIDTH / 2)) / 64.0 for at in centre] for centre in centres]
-    circle = [Target(str(i), x, y, WIDTH, WIDTH) for i, (x, y) in enumerate(corners)]
-    errors = []
+    recording, errors = read(finished.file), []
     for i, trial in enumerate(recording.trials):
-        prepared = prepare(Recording.of("trial", [recording.rows(i)], [trial]), threads=1)
-        own, floor = (
-            replay(prepared, each, threads=1) for each in (build(RECOMMENDED, targets=circle), build("hold"))
+        events = recording.rows(i)
+        t, path = events.t, np.column_stack([events.x, events.y])
+        started = float(trial.condition["started_s"])
+        shown = [(s, x, y) for s, x, y in finished.seen if s > started]
+        newest = np.searchsorted([s for s, *_ in shown], t, side="right") - 1
+        point = np.array(
+            [shown[k][1:] if k >= 0 else at for k, at in zip(newest.tolist(), path, strict=True)]
+        ).astype(float)
+        point = np.where(np.isnan(point), path, point)
+        far = np.linalg.norm(path - path[-1], axis=1)
+        onset = np.flatnonzero(np.linalg.norm(path - path[0], axis=1) <= 3.0)[-1]
+        arrival = np.flatnonzero(far > max(8.0, 0.03 * far[onset]))[-1] + 1
+        weight = np.minimum(np.diff(t), 0.05)[onset:arrival]
+        errors.append(
+            float(np.average(np.linalg.norm(point - path[-1], axis=1)[onset:arrival], weights=weight))
         )
-        errors.append(score_of(prepared, 0, own, floor).time_averaged_px or 0.0)
     return errors
 
 
-def test_each_movement_was_scored_given_the_targets_of_the_circle(
-    finished: Finished, scored: dict[str, Any]
-) -> None:
+def test_each_row_says_what_was_shown_during_its_movement(finished: Finished, scored: dict[str, Any]) -> None:
     assert scored["trials"] == BLOCKS * TARGETS
     assert scored["skipped"] == []
-    assert finished.trial_px == pytest.approx(given_the_circle(finished.file), rel=1e-9)
+    assert finished.trial_px == pytest.approx(shown_px(finished), rel=1e-9)
     [alone] = [one for one in scored["predictors"] if one["name"] == "kinematic"]
     assert np.mean(finished.trial_px) < 0.7 * alone["time_averaged"]["px"]
 

@@ -139,17 +139,3 @@ def test_a_refused_setting_is_seen_and_reached(visitor: Visitor, url: str) -> No
     visitor.wait(
         "document.querySelectorAll('[aria-invalid=true], [aria-describedby=circle-status]').length === 0"
     )
-
-
-def test_a_score_stands_in_the_row_that_it_was_asked_for(visitor: Visitor, url: str) -> None:
-    circle(visitor, url)
-    texts = visitor.value(
-        "import('/web/page/circle/rows.js').then(({ CircleRows }) => {"
-        "const body = document.createElement('tbody'), rows = new CircleRows(body);"
-        "const add = (number, asked) =>"
-        "rows.add({ block: 1, number, start: [0], end: [1], hit: true }, asked);"
-        "const score = (px) => rows.addScore({ time_averaged_px: px, hold_px: 1, skill: 0, reason: null });"
-        "add(1, true); rows.clear(); add(2, false); add(3, true); score(11); score(33); score(44);"
-        "return [...body.rows].map((row) => row.cells[2].textContent); })"
-    )
-    assert texts == ["33.0", "–"]

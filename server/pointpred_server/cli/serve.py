@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from inspect import Parameter
 from socket import socket
 from typing import TYPE_CHECKING, Any
@@ -37,9 +37,10 @@ FLAGS = {
 """The settings that have a flag, and what stands for a value of each."""
 
 
-def _flags() -> Iterator[Parameter]:
-    for name, metavar in FLAGS.items():
-        setting = Settings.model_fields[name]
+def flags(names: Iterable[str] = tuple(FLAGS)) -> Iterator[Parameter]:
+    """The options of these settings."""
+    for name in names:
+        metavar, setting = FLAGS[name], Settings.model_fields[name]
         several = isinstance(setting.default, tuple | dict)
         words = f"{setting.description} Repeatable." if several else setting.description
         yield option(name, (list[str] if several else str) | None, metavar=metavar, help=words)
@@ -60,7 +61,7 @@ def settings_of(**options: Any) -> Settings:
         raise ParameterError(f"{option_error(name, first)} ({flag}POINTPRED_{name.upper()})") from None
 
 
-@with_options("settings", _flags(), settings_of)
+@with_options("settings", flags(), settings_of)
 def serve(settings: Settings) -> None:
     """Serve the live page and the WebSocket; prints the address once the page can be opened.
 

@@ -47,7 +47,15 @@ const REASONS = new Map([
  * @param {{rows: number[][], count: number}} trial @param {import("./pipeline.js").Pipeline} pipeline a fresh one
  * @returns {Promise<import("../index.d.ts").Score>}
  */
-export async function scoreOf({ rows, count }, pipeline) {
+export const scoreOf = (trial, pipeline) => scoreOfAnswers(trial, (rows) => answersTo(rows, pipeline));
+
+/**
+ * The score of a trial whose predictions are at hand, or are made of its rows from the onset on.
+ * @param {{rows: number[][], count: number}} trial
+ * @param {(rows: number[][]) => Promise<number[][]|null>|number[][]|null} answersOf the answer to each row; null where one is refused
+ * @returns {Promise<import("../index.d.ts").Score>}
+ */
+export async function scoreOfAnswers({ rows, count }, answersOf) {
   /** @returns {import("../index.d.ts").Score} */
   const unscored = (events, reason) => ({ type: "score", events, ...NO_SCORE, reason });
   if (count > MOST_EVENTS) return unscored(count, `has ${count} events, at most ${MOST_EVENTS} are scored`);
@@ -60,7 +68,7 @@ export async function scoreOf({ rows, count }, pipeline) {
     arrival = cut[cutting.ARRIVAL] - onset;
   const none = part.map(() => UNPREDICTED); // where nothing is predicted, the cursor's position is scored
   const hold = /** @type {Float64Array} */ (measured(part, none, arrival)); // positions are finite
-  const own = measured(part, (await answersTo(part, pipeline)) ?? none, arrival) ?? hold;
+  const own = measured(part, (await answersOf(part)) ?? none, arrival) ?? hold;
   const [error, floor] = [own[TIME_AVERAGED], hold[TIME_AVERAGED]];
   return {
     ...unscored(part.length, null),

@@ -1,6 +1,5 @@
 // A circle run as a recording in pointpred's own format: a table of samples and a table of trials, both CSV.
 
-const USER = "page";
 const SAMPLES = ["dataset", "user", "trial", "t_s", "x_px", "y_px", "buttons"];
 const TRIALS = [
   "dataset",
@@ -26,16 +25,16 @@ function csv(header, columns, rows) {
   return [firstLine, columns.join(","), ...rows.map((cells) => cells.join(","))].join("\n") + "\n";
 }
 
-const nameOf = ({ block, number }) => `block-${block}-movement-${number}`;
+const nameOf = ({ sequence: { block }, number }) => `block-${block}-movement-${number}`;
 
 /**
  * The two files of a run. Times are of the browser's clock, positions are px from the upper left corner of the picture.
  * A movement without samples (two presses at once) is left out.
- * @param {import("./task.js").Trial[]} trials
- * @param {string} name of the set
+ * @param {import("../study/task.js").Trial[]} trials
+ * @param {string} name of the set @param {string} user who moved
  * @returns {{samples: {name: string, text: string}, trials: {name: string, text: string}}}
  */
-export function recording(trials, name) {
+export function recording(trials, name, user) {
   const complete = trials.filter(({ rows }) => rows.length);
   const provenance = {
     format: "circle of the live page",
@@ -43,19 +42,19 @@ export function recording(trials, name) {
     dpi: 96,
     simulated: false,
   };
-  const skipped = trials.filter(({ rows }) => !rows.length).map((trial) => [nameOf(trial), "no samples", null, USER]);
+  const skipped = trials.filter(({ rows }) => !rows.length).map((trial) => [nameOf(trial), "no samples", null, user]);
   const samples = complete.flatMap((trial) =>
-    trial.rows.map(([t, x, y, , , buttons]) => [name, USER, nameOf(trial), t, x, y, buttons]),
+    trial.rows.map(([t, x, y, , , buttons]) => [name, user, nameOf(trial), t, x, y, buttons]),
   );
   const rows = complete.map((trial) => [
     name,
-    USER,
+    user,
     nameOf(trial),
     ...trial.target,
-    trial.width,
+    trial.sequence.width,
     trial.rows.length,
-    trial.block,
-    trial.distance,
+    trial.sequence.block,
+    trial.sequence.distance,
     ...trial.from,
     Number(trial.hit),
     ...trial.start.slice(0, 3),

@@ -73,12 +73,12 @@ function nameAt(time) {
   return `circle-${day}-${two(time.getHours())}${two(time.getMinutes())}${two(time.getSeconds())}`;
 }
 
-/** Shows the statistics of a run, and the recording to save. @param {import("./task.js").Trial[]} trials */
-export function showResult(trials) {
+/** Shows the statistics of a run, and the recording to save. @param {import("../study/task.js").Trial[]} trials @param {string} user who moved */
+export function showResult(trials, user) {
   const run = statistics(trials);
   showTiles(run);
   showBlocks(run);
-  linkFiles(recording(trials, nameAt(new Date())));
+  linkFiles(recording(trials, nameAt(new Date()), user));
   const result = part("circle-result");
   result.hidden = false;
   part("circle-result-title").focus({ preventScroll: true });

@@ -1,50 +1,54 @@
-// The table of a circle run: a row for each movement; its scores follow when the service sends them.
+// The table of a circle run: a row for each movement, with what was shown while it was made.
 
+import { UNPREDICTED } from "../../lib/prediction/row.js";
 import { number } from "../shell/numbers.js";
 
-const SCORES = [2, 3, 4]; // indices of the cells with scores
+/**
+ * How far the predictions that were shown during a movement were from its end, as `pointpred score` measures it: at each sample the
+ * newest one counts, and the pointer itself before the first.
+ * @param {import("../study/task.js").Trial} trial @param {import("../../lib/index.d.ts").Prediction[]} shown in the order of time
+ */
+export async function scoreOfShown({ start, rows }, shown) {
+  const { scoreOfAnswers } = await import("../../lib/prediction/scoring.js");
+  const own = shown.filter(({ t }) => t > start[0]);
+  const samples = rows.map(([t, x, y, dx, dy, buttons]) => [t, x, y, dx ?? NaN, dy ?? NaN, buttons]);
+  let next = 0;
+  return scoreOfAnswers({ rows: samples, count: samples.length }, (part) =>
+    part.map(([t]) => {
+      while (next < own.length && own[next].t <= t) next += 1;
+      const { x = null, y = null } = own[next - 1] ?? {};
+      return x === null || y === null ? UNPREDICTED : UNPREDICTED.with(0, t).with(1, x).with(2, y);
+    }),
+  );
+}
 
-/** The newest movement is on top; scores arrive in the order of the movements. */
+/** The newest movement is on top. */
 export class CircleRows {
   #body;
-  #pending = [];
 
   /** @param {HTMLTableSectionElement} body */
   constructor(body) {
     this.#body = body;
   }
 
-  /** @param {import("./task.js").Trial} trial @param {boolean} scored whether the service will send its score */
-  add({ block, number: index, start, end, hit }, scored) {
+  /** @param {import("../study/task.js").Trial} trial @param {import("../../lib/index.d.ts").Prediction[]} shown the predictions during it */
+  async add(trial, shown) {
     const row = this.#body.insertRow(0);
-    row.classList.toggle("missed", !hit);
-    const texts = [`${block}.${index}`, number(end[0] - start[0], 2), "…", "…", "…"];
-    for (const text of texts) row.insertCell().textContent = text;
-    if (scored) this.#pending.push(row);
-    else this.#writeUnscored(row);
-  }
-
-  /** Writes the score of the oldest movement without one. @param {import("../../lib/index.d.ts").Score} score */
-  addScore({ time_averaged_px: px, hold_px: hold, skill, reason }) {
-    const row = this.#pending.shift();
-    if (row === undefined) return;
-    const texts = reason ? ["none", "–", "–"] : [number(px, 1), number(hold, 1), number(skill, 2)];
-    SCORES.forEach((cell, i) => (row.cells[cell].textContent = texts[i]));
-    if (reason) row.title = `Not scored: ${reason}`;
+    row.classList.toggle("missed", !trial.hit);
+    const texts = [`${trial.sequence.block}.${trial.number}`, number(trial.end[0] - trial.start[0], 2), "…", "…", "…"];
+    const cells = texts.map((text) => {
+      const cell = row.insertCell();
+      cell.textContent = text;
+      return cell;
+    });
+    const { time_averaged_px: px, hold_px: hold, skill, reason } = await scoreOfShown(trial, shown);
+    const why = shown.length ? reason : "nothing was predicted";
+    const scores = why ? ["none", "–", "–"] : [number(px, 1), number(hold, 1), number(skill, 2)];
+    scores.forEach((text, i) => (cells[2 + i].textContent = text));
+    if (why) row.title = `Not scored: ${why}`;
     row.dataset.px = String(px);
   }
 
-  /** The connection is lost: its movements get no score here; they are in the recording. */
-  endSession() {
-    for (const row of this.#pending.splice(0)) this.#writeUnscored(row);
-  }
-
-  #writeUnscored(row) {
-    for (const cell of SCORES) row.cells[cell].textContent = "–";
-    row.title = "Not scored here: the connection was lost";
-  }
-
-  /** Removes the rows, but still expects their scores, which must not go to later rows. */
   clear() {
     this.#body.replaceChildren();
   }

@@ -1,11 +1,11 @@
 // The settings of a circle run, read from the form and checked against the size of the picture.
 
-import { radiusFor } from "./task.js";
+import { circle, radiusFor } from "../study/task.js";
 
 /**
- * @typedef {{targets: number, distance: number, width: number, blocks: number, centre: [number, number], most: number}} Settings
+ * @typedef {{targets: number, distance: number, width: number, blocks: number, participant: string, centre: [number, number], most: number}} Settings
  *   `most`: the longest distance that fits
- * @typedef {HTMLFormElement & {elements: Record<"targets"|"distance"|"width"|"blocks"|"shown", HTMLInputElement> &
+ * @typedef {HTMLFormElement & {elements: Record<"targets"|"distance"|"width"|"blocks"|"participant"|"shown", HTMLInputElement> &
  *   {predictor: HTMLSelectElement}}} CircleForm
  */
 
@@ -54,8 +54,21 @@ function mark(field, wrong) {
   else field.removeAttribute("aria-describedby");
 }
 
-/** Whether every target of a run lies inside the picture. @param {import("./task.js").CircleTask} task @param {HTMLCanvasElement} canvas */
-export function fitsPicture({ places, settings: { width } }, canvas) {
+/** A study of one condition: a sequence each block. @param {Settings} settings @returns {import("../study/task.js").Sequence[]} */
+export const sequencesOf = ({ targets, distance, width, blocks }) =>
+  Array.from({ length: blocks }, (_, i) => ({
+    phase: "test",
+    block: i + 1,
+    task: "circle",
+    distance,
+    width,
+    height: null,
+    movements: targets,
+    places: circle(distance, [0, 0], targets),
+  }));
+
+/** Whether every target of a run lies inside the picture. @param {import("../study/task.js").PointingTask} task @param {HTMLCanvasElement} canvas */
+export function fitsPicture({ places, sequence: { width } }, canvas) {
   return places.every(([x, y]) => Math.min(x, y, canvas.clientWidth - x, canvas.clientHeight - y) >= width / 2);
 }
 
@@ -77,6 +90,13 @@ export function readSettings(form, canvas) {
     mark(field, wrong !== null);
     if (wrong) first ??= field;
     problem ??= wrong;
+  }
+  const { participant } = form.elements;
+  settings.participant = participant.value;
+  mark(participant, !participant.checkValidity());
+  if (!participant.checkValidity()) {
+    problem ??= "Participant must be a code of up to 40 letters, digits, - and _.";
+    first ??= participant;
   }
   const most = (settings.most = longestDistance(canvas, settings.targets, settings.width));
   if (problem === null && settings.distance > most) {

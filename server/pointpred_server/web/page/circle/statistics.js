@@ -20,7 +20,7 @@ function along(from, to, point) {
   return ((point[0] - from[0]) * (to[0] - from[0]) + (point[1] - from[1]) * (to[1] - from[1])) / length;
 }
 
-/** @param {import("./task.js").Row} row */
+/** @param {import("../study/task.js").Row} row */
 const place = ([, x, y]) => [x, y];
 
 /**
@@ -28,7 +28,7 @@ const place = ([, x, y]) => [x, y];
  * Distances lie along the axis from the centre of the last target to that of the next.
  * effective width = 4.133 SD(positions of the selections); effective distance = mean distance from selection to selection;
  * throughput = log2(effective distance / effective width + 1) / mean movement time.
- * @param {import("./task.js").Trial[]} trials
+ * @param {import("../study/task.js").Trial[]} trials
  */
 export function blockStatistics(trials) {
   const misses = trials.filter(({ hit }) => !hit).length;
@@ -49,8 +49,11 @@ export function blockStatistics(trials) {
 
 /** The statistics of each block, and their means: throughput is the mean of the blocks' throughputs. */
 export function statistics(trials) {
-  const numbers = [...new Set(trials.map(({ block }) => block))];
-  const blocks = numbers.map((block) => ({ block, ...blockStatistics(trials.filter((one) => one.block === block)) }));
+  const numbers = [...new Set(trials.map(({ sequence }) => sequence.block))];
+  const blocks = numbers.map((block) => ({
+    block,
+    ...blockStatistics(trials.filter(({ sequence }) => sequence.block === block)),
+  }));
   const meanOf = (name) => {
     const values = blocks.map((block) => block[name]).filter((value) => value !== null);
     return values.length ? mean(values) : null;

@@ -8,14 +8,15 @@ import { Account } from "../shell/account.js";
 import { fillSelect, part, write } from "../shell/elements.js";
 import { count } from "../shell/numbers.js";
 import { listenToPointer } from "../shell/pointer.js";
+import { drawTask } from "../study/picture.js";
+import { PointingTask } from "../study/task.js";
 import { CircleChoices } from "./choices.js";
-import { drawCircle } from "./picture.js";
 import { showResult } from "./results.js";
 import { CircleRows } from "./rows.js";
-import { fitDistance, fitsPicture, overlapWarning, readSettings } from "./settings.js";
-import { CircleTask, circle } from "./task.js";
+import { fitDistance, fitsPicture, overlapWarning, readSettings, sequencesOf } from "./settings.js";
 
 const SHOWN_MS = 500; // a prediction is drawn for this long
+const MOST_SHOWN = 20_000; // predictions of a movement that are compared with its end
 const READY = ["open", "idle"]; // states of a connection in which a run can start: the next event opens an idle one
 const DOWN = "Start is disabled: the service does not answer. Is it still running? The page tries again by itself.";
 const UNLOADED = "Start is disabled: the predictor could not be loaded. The page tries again by itself.";
@@ -43,28 +44,40 @@ let edited = false; // whether the person has set the distance
 let started = false; // whether the session knows where the current movement began
 /** @type {PredictorConnection|null} */ let connection = null;
 let account = new Account();
-/** @type {CircleTask|null} */ let task = null;
+/** @type {PointingTask|null} */ let task = null;
+/** @type {import("../../lib/index.d.ts").Prediction[]} */ let shown = []; // during the current movement
+let participant = "";
 
 const isRunning = () => task !== null && !task.done;
 
-/** @param {import("./task.js").Row[]} events */
+/** @param {import("../study/task.js").Row[]} events */
 function move(events) {
   if (task === null || task.done) return;
   task.move(events);
   connection?.send(events);
 }
 
-/** A press selects a target; a finger selects by lifting, because it has no path before it touches. @param {import("./task.js").Row} row */
+/** The target to click, as a session takes it. @param {PointingTask} task */
+const goalOf = ({ goal: { x, y, width } }) => ({ x, y, width });
+
+/** @param {PointingTask} shown */
+function showTarget(shown) {
+  const { done, running } = shown;
+  canvas.dataset.target = JSON.stringify(done ? null : { ...goalOf(shown), running });
+}
+
+/** A press selects a target; a finger selects by lifting, because it has no path before it touches. @param {import("../study/task.js").Row} row */
 function select(row) {
   if (task === null || task.done) return;
   const trial = task.select(row);
   if (trial !== null) {
-    if (started) connection?.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.width });
-    rows.add(trial, started);
+    if (started) connection?.trial("end", { x: trial.target[0], y: trial.target[1], width: trial.sequence.width });
+    rows.add(trial, shown);
   }
+  shown = [];
   started = task.running && connection?.state === "open";
-  if (started) connection?.trial("start", task.goal);
-  canvas.dataset.target = JSON.stringify(task.done ? null : { ...task.goal, running: task.running });
+  if (started) connection?.trial("start", goalOf(task));
+  showTarget(task);
   showProgress(task);
   if (task.done) finish(task);
 }
@@ -80,16 +93,16 @@ function showRunStatus(text = run.text, state = run.state) {
   runStatus.dataset.state = down ? "down" : state;
 }
 
-/** @param {CircleTask} shown */
-function showProgress({ block, done, running, settings, total, trials }) {
+/** @param {PointingTask} shown */
+function showProgress({ sequence: { block }, sequences, done, running, total, trials }) {
   const misses = trials.filter(({ hit }) => !hit).length;
   progress.max = total;
   progress.value = trials.length;
   const counts = `${trials.length} of ${total} movements, ${misses} missed`;
   if (done) showRunStatus(`Done: ${counts}. The result is below.`, "done");
   else if (!running)
-    showRunStatus(`Block ${block} of ${settings.blocks}: click the filled target to begin. ${counts}.`, "waiting");
-  else showRunStatus(`Block ${block} of ${settings.blocks}: ${counts}.`, "running");
+    showRunStatus(`Block ${block} of ${sequences.length}: click the filled target to begin. ${counts}.`, "waiting");
+  else showRunStatus(`Block ${block} of ${sequences.length}: ${counts}.`, "running");
 }
 
 function onState(state) {
@@ -98,12 +111,10 @@ function onState(state) {
   showRunStatus();
   if (state === "open") return;
   started = false; // a new session does not know the movement
-  rows.endSession();
   choices.clear();
 }
 
 function onScore(score) {
-  rows.addScore(score);
   const { fired, wasted, lead_s } = score;
   if (fired != null) account.add({ proposed: fired, wasted, lead_entry_s: lead_s });
   write(ledgerLine, account.text);
@@ -119,9 +130,11 @@ function connectWith(predictor) {
     {
       state: onState,
       score: onScore,
-      prediction: (prediction) => choices.addPrediction(prediction),
+      prediction: (prediction) => {
+        if (task?.running && shown.length < MOST_SHOWN) shown.push(prediction);
+        choices.addPrediction(prediction);
+      },
       choice: (choice) => choices.addChoice(choice),
-      error: ({ code }) => code === "out_of_place" && rows.endSession(),
     },
     { encoding: "json" },
   ); // packed predictions have no probabilities of targets
@@ -134,7 +147,8 @@ function start() {
     field?.focus();
     return;
   }
-  task = new CircleTask(settings);
+  task = new PointingTask(sequencesOf(settings), settings.centre);
+  participant = settings.participant;
   rows.clear();
   account = new Account();
   write(ledgerLine, "");
@@ -143,7 +157,7 @@ function start() {
   setRunning(true);
   started = false;
   canvas.parentElement?.scrollIntoView({ block: "nearest" });
-  canvas.dataset.target = JSON.stringify({ ...task.goal, running: false });
+  showTarget(task);
   showProgress(task);
 }
 
@@ -166,25 +180,25 @@ function stop(reason = "") {
     (trials.length ? `Stopped after ${count(trials.length, "movement")}.` : "Stopped.") + reason,
     "stopped",
   );
-  if (trials.length > 1) showResult(trials);
+  if (trials.length > 1) showResult(trials, participant);
 }
 
-/** @param {CircleTask} ended */
+/** @param {PointingTask} ended */
 function finish({ trials }) {
   setRunning(false);
-  showResult(trials);
+  showResult(trials, participant);
 }
 
 function frame() {
   const { settings, problem } = readSettings(form, canvas);
-  const scene = task ?? { places: circle(settings.distance, settings.centre, settings.targets), settings };
+  const scene = task ?? new PointingTask(sequencesOf({ ...settings, blocks: 1 }), settings.centre);
   const running = task !== null && !task.done,
     showsPrediction = running && form.elements.shown.checked;
   write(part("circle-warning"), problem || running ? "" : overlapWarning(settings));
   const recent = connection !== null && performance.now() - connection.at < SHOWN_MS ? connection.latest : null;
-  drawCircle(canvas, {
+  drawTask(canvas, {
     places: scene.places,
-    width: scene.settings.width,
+    width: scene.sequence.width,
     current: task !== null && running ? task.current : null,
     last: task?.trials[task.trials.length - 1] ?? null,
     prediction: showsPrediction ? recent : null,

@@ -47,6 +47,13 @@ function diamond(pen, [x, y], radius, colour, filled = false, width = 2) {
   paint(pen, colour, filled, width);
 }
 
+/** A rectangle around its centre, or its border if it is not filled. @param {Pen} pen @param {Point} centre @param {number} width @param {number} height @param {string} colour */
+export function bar(pen, [x, y], width, height, colour, filled = false, line = 2) {
+  pen.beginPath();
+  pen.rect(x - width / 2, y - height / 2, width, height);
+  paint(pen, colour, filled, line);
+}
+
 /** A ring with an opacity from 0 to 1. @param {Pen} pen @param {Point} centre @param {number} radius @param {string} colour @param {number} opacity */
 export function halo(pen, centre, radius, colour, opacity, width = 4) {
   if (!(opacity > 0)) return;
