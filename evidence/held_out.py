@@ -2,7 +2,8 @@
 
 ``python -m evidence.held_out`` fits them to the recordings in POINTPRED_RECORDINGS, a network for each set
 left out and one for each fold of people left out, and keeps them in the user's cache: the same code and the
-same recordings are not fitted twice.
+same recordings are not fitted twice. The files ``pointpred/datasets/set_left_out/SET.npz`` of the benchmark
+are copies of ``set SET.npz``.
 """
 
 from __future__ import annotations
@@ -142,10 +143,13 @@ def fit(school: TrainingData, settings: Settings, where: Path) -> None:
         train.save(where / f"fold {k}.npz", fitted, train.calibration_table(school, others, settings), {})
         fold_of |= {name: k for name, user in school.users.items() if user in users}
     (where / "people.json").write_text(json.dumps(fold_of), encoding="utf-8")
+    card = train.card_of(school, settings)
     for name, number in everybody.items() if len(everybody) > 1 else ():
+        others_seen = {"sets": [one for one in card["sets"] if one["name"] != name]}
         rest = msgspec.structs.replace(school, own=tuple(_without(school, number)))
         table = train.calibration_table(rest, nets, settings)
-        train.save(where / f"set {name}.npz", train.fit_without(school, set(), number, settings), table, {})
+        fitted = train.fit_without(school, set(), number, settings)
+        train.save(where / f"set {name}.npz", fitted, table, card | others_seen)
         say(f"{name} left out")
 
 
