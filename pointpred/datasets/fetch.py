@@ -66,7 +66,7 @@ def fetch(
     if unknown and not accept_unverified:
         raise ParameterError(
             f"{entry.name}: no digest is recorded for {', '.join(unknown)}, so what arrives cannot be "
-            f"checked; pass accept_unverified (--accept-unverified) to fetch it all the same"
+            f"checked; pass accept_unverified=True to fetch it all the same"
         )
     for line in terms(entry):
         say(line)
