@@ -22,6 +22,7 @@ import msgspec
 import pointpred
 from evidence.arguments import parse
 from pointpred import REGISTRY, build
+from pointpred.benchmark import SET_OUT
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file
@@ -37,8 +38,8 @@ CODE = (
     *("scoring/**/*", "recordings/**/*", "recording*", "columns*", "registry*"),
 )
 """What the coefficients hang on."""
-SET_OUT, PEOPLE_OUT = " (set left out)", " (people left out)"
-"""What is added to a name of the registry where its coefficients did not see what they are judged on."""
+PEOPLE_OUT = " (people left out)"
+"""What is added to a name of the registry where its coefficients did not see the people; SET_OUT: the set."""
 THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 

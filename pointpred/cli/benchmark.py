@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
+from msgspec.structs import replace
 
 from pointpred.cli.output_files import Force, Numbers, check_targets, write_json
 from pointpred.cli.reading_options import Reasons, leave_out
@@ -83,7 +84,7 @@ def benchmark(
     if json is None or str(json) != "-":
         from pointpred.cli.score_tables import print_sets
 
-        print_sets(sets, drawn=report is not None)
+        print_sets([_with_short_names(one) for one in sets], drawn=report is not None)
         _print_all(sets)
     if reasons:
         remark(f"Not scored, for the reasons above: {', '.join(reasons)}")
@@ -122,8 +123,18 @@ def _scored(folder: Path, names: Sequence[str], reasons: Reasons, *, worst: int)
     return scores
 
 
+def _with_short_names(one: SetSummary) -> SetSummary:
+    """The set with a star in the place of the words that tables of several columns have no room for."""
+    from pointpred.benchmark import SET_OUT
+
+    starred = (replace(p, name=p.name.replace(SET_OUT, " *")) for p in one.predictors)
+    return replace(one, predictors=tuple(starred))
+
+
 def _print_all(sets: Sequence[SetSummary]) -> None:
     """One table of all sets: shares of hold's error with their intervals."""
+    from pointpred.benchmark import SET_OUT
+
     if not sets:
         return
     rows: dict[str, list[str]] = {}
@@ -135,5 +146,7 @@ def _print_all(sets: Sequence[SetSummary]) -> None:
                 words += f" [{interval[0]:.2f}, {interval[1]:.2f}]"
             rows.setdefault(predictor.name, [predictor.name, *("-" for _ in sets)])[number + 1] = words
     headings = ("predictor", *(one.name for one in sets))
+    if any(SET_OUT in name for name in rows):
+        results().print("*: set left out, fitted to other sets only", style="dim")
     results().print("All sets: time-averaged error, share of hold's [95 % interval]", style="bold")
-    results().print(table(headings, rows.values(), whole=headings))
+    results().print(table(headings, rows.values(), whole=headings[1:], overflow="fold"))

@@ -68,6 +68,8 @@ def test_sets_are_fetched_once_checked_and_scored(
     assert "404" in first.err
     assert said[-1] == "Not scored, for the reasons above: away"
     lines = first.out.splitlines()
+    assert [line for line in lines if line.startswith("kinematic *  ")]
+    assert "*: set left out, fitted to other sets only" in lines
     assert lines[0].startswith("jrcalgo: 6 trials, 2 people; hold is ")
     rows = lines[lines.index("All sets: time-averaged error, share of hold's [95 % interval]") + 1 :]
     assert [row.split("  ")[0].strip() for row in rows] == [
