@@ -60,7 +60,7 @@ def benchmark(
     names = predictor_names(predictors)
     if report is not None:
         require("report", "a report")
-        from pointpred.scoring.report import page_in
+        from pointpred.scoring.report.report import page_in
 
         check_targets({"--json": json, "--report": page_in(report) if report.is_dir() else report}, (), force)
     else:
@@ -73,7 +73,8 @@ def benchmark(
     scores = _scored(folder, names, reasons, worst=WORST if report is not None else 0)
     sets = tuple(summarise(one) for one in scores)
     if report is not None and scores:
-        from pointpred.scoring.report import write_report, write_sets
+        from pointpred.benchmark import write_sets
+        from pointpred.scoring.report import write_report
 
         write_report(scores, report)
         if (page := page_in(report)) != report:

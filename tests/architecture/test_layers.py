@@ -54,7 +54,7 @@ MAY_IMPORT = {
     "simulation": PIPELINE,
     "scoring": PIPELINE,
     "measures": PIPELINE | {"drawing", "scoring"},
-    "benchmark": PIPELINE | {"scoring", "datasets"},
+    "benchmark": PIPELINE | {"drawing", "scoring", "datasets"},
     "reproduction": PIPELINE | {"drawing", "simulation", "scoring", "recordings"},
     "devices.surface": set(),
     "devices.hid": {"errors", "devices.surface"},

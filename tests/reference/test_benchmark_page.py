@@ -24,7 +24,7 @@ from tests.architecture.tree import ROOT
 from tests.scripted import Scripted, pipeline_with
 
 PAGE = (ROOT / "docs/guide/benchmark.md").read_text(encoding="utf-8")
-TARGET = (300.0, 200.0, 80.0)
+TARGET = (300.0, 200.0, 44.0)
 Q_TIME = [q / 100 for q in range(20, 91, 10)]
 Q_PATH = [0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 1.0]
 Q_AXIS = [q / 100 for q in range(5, 101, 5)]
@@ -114,7 +114,7 @@ def protocol(rows: list[Row], answers: Callable[[list[Row]], list[Any]]) -> dict
     scores = [0.5 * (ranked(p[0] - truth[0]) + ranked(p[1] - truth[1])) for p in shown]
     left = [t[arrival] - now for now in t]
     arrives = {
-        level: [float(abs(log(max(rest, 1e-6) / 0.1)) <= k * 0.4) for rest in left]
+        level: [float(abs(log(max(rest, 1e-6) / 0.07)) <= k * 0.4) for rest in left]
         for level, k in LEVELS.items()
     }
     return found | {
@@ -124,7 +124,7 @@ def protocol(rows: list[Row], answers: Callable[[list[Row]], list[Any]]) -> dict
             for level, values in inside.items()
         },
         "ranked score, px": [mean(scores, claimed)],
-        "time left, s": [mean([abs(rest - 0.1) if p else abs(rest - (span - now + t[0])) for rest, now, p
+        "time left, s": [mean([abs(rest - 0.07) if p else abs(rest - (span - now + t[0])) for rest, now, p
                                in zip(left, t, claimed, strict=True)])],
         "time left of the clock, s": [mean([abs(rest - max(span - (now - t[0]), 0.0)) for rest, now
                                             in zip(left, t, strict=True)])],
@@ -144,7 +144,7 @@ class Ahead(Scripted):
         for i in np.flatnonzero(~begin).tolist():
             now, before = motions.table[i, 1:3], motions.table[i - 1, 1:3]
             table[i, 1:3] = now + 2.0 * (now - before)
-            table[i, 3:7] = 400.0, 0.0, 400.0, 0.1
+            table[i, 3:7] = 400.0, 0.0, 400.0, 0.07
             table[i, 9] = 0.4
         return table
 

@@ -1,5 +1,5 @@
 """Scores as one page that people look at: figures, tables, statistics in words, the worst trials drawn."""
 
-from pointpred.scoring.report.report import page_in, write_report, write_sets
+from pointpred.scoring.report.report import write_report
 
-__all__ = ["page_in", "write_report", "write_sets"]
+__all__ = ["write_report"]

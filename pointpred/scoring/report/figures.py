@@ -218,61 +218,26 @@ def _in_words(
 
 def skill_bars(summary: SetSummary) -> Picture:
     """Time-averaged error as a share of hold's, with intervals, best first."""
-    ordered = [p for _, p in _by_share(summary)]
+    ordered = _by_share(summary)
     title = marked(summary, "Error, share of hold")
+    better = []
     with canvas(height=1.2 + 0.28 * len(ordered)) as (figure, (axes,)):
-        better = _draw_intervals(axes, ordered)
-        _rows(axes, [p.name for p in ordered], title)
+        for place, (share, predictor) in enumerate(ordered):
+            cell = predictor.time_averaged
+            low, high = cell.interval or (share, share)
+            surely = cell.interval is not None and high < 1.0
+            better += [predictor.name] if surely else []
+            colour = GREY if predictor.name == FLOOR else PALETTE[0] if surely else PALETTE[1]
+            axes.plot([low, high], [place, place], color=colour, linewidth=2.6)
+            axes.plot([share], [place], "o" if surely else "s", color=colour, markersize=6.5)
+        _rows(axes, [predictor.name for _, predictor in ordered], title)
+        units = "people" if summary.interval.resampled == "users" else "trials (one person)"
         return picture(
             figure,
             f"{title} on {summary.name}. Interval wholly below 1: {', '.join(better) or 'none'}.",
-            f"Bars: {summary.interval.level:.0%} bootstrap interval over {_drawn_units(summary)}. "
-            "Blue circle: wholly below 1, better than no prediction; square: not.",
+            f"Bars: {summary.interval.level:.0%} bootstrap interval over {units}. Blue circle: "
+            "wholly below 1, better than no prediction; square: not.",
         )
-
-
-def set_bars(summaries: Sequence[SetSummary]) -> Picture:
-    """The same of several sets beside each other, the predictors in the order of the first."""
-    names = [p.name for p in summaries[0].predictors]
-    width = 1.8 + 2.0 * len(summaries)
-    with canvas(1, len(summaries), width=width, height=1.2 + 0.28 * len(names), share=True) as (
-        figure,
-        panels,
-    ):
-        words = []
-        for axes, one in zip(panels, summaries, strict=True):
-            placed = {p.name: p for p in one.predictors}
-            better = _draw_intervals(axes, [placed[name] for name in names])
-            _rows(axes, names, marked(one, one.name))
-            axes.set_xlabel("")
-            words.append(f"{one.name}: interval wholly below 1 {', '.join(better) or 'none'}")
-        figure.supxlabel(SHARE_LABEL, fontsize=10.5)
-        over = ", ".join(f"{one.name} over {_drawn_units(one)}" for one in summaries)
-        return picture(
-            figure,
-            f"Error, share of hold, on {len(summaries)} sets. {'; '.join(words)}.",
-            f"Bars: bootstrap intervals, {over}. Blue circle: wholly below 1; square: not.",
-            wide=True,
-        )
-
-
-def _draw_intervals(axes: Any, predictors: Sequence[PredictorSummary]) -> list[str]:
-    """A row a predictor: its share of hold's error and the interval; returns who is surely below 1."""
-    better = []
-    for place, predictor in enumerate(predictors):
-        cell = predictor.time_averaged
-        share = or_nan(cell.of_hold)
-        low, high = cell.interval or (share, share)
-        surely = cell.interval is not None and high < 1.0
-        better += [predictor.name] if surely else []
-        colour = GREY if predictor.name == FLOOR else PALETTE[0] if surely else PALETTE[1]
-        axes.plot([low, high], [place, place], color=colour, linewidth=2.6)
-        axes.plot([share], [place], "o" if surely else "s", color=colour, markersize=6.5)
-    return better
-
-
-def _drawn_units(summary: SetSummary) -> str:
-    return "people" if summary.interval.resampled == "users" else "trials (one person)"
 
 
 def clean_against_all(summary: SetSummary) -> Picture:

@@ -29,18 +29,16 @@ from pointpred.scoring.report.figures import (
     draw_worst,
     group_curves,
     inside_curves,
-    set_bars,
     skill_bars,
     time_left_bars,
 )
-from pointpred.scoring.report.tables import table_of_sets, tables_of
+from pointpred.scoring.report.tables import tables_of
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, SetScore, WorstTrials
 from pointpred.scoring.statistics import AnovaSeries, AxisProfile, Effect, axis_anova, axis_profile
 from pointpred.scoring.summary import FLOOR, PredictorSummary, SetSummary, summarise
 from pointpred.scoring.summary.document import about_targets, footnotes
 
 if TYPE_CHECKING:
-    import pandas as pd
     from jinja2 import Environment
 
 SWITCHED = ("switched-printed", "switched")
@@ -367,40 +365,26 @@ def write_report(scores: Sequence[SetScore], path: str | Path) -> None:
             _write_files(one, target.parent / (plain if again == 1 else f"{plain}_{again}"))
 
 
-def write_sets(summaries: Sequence[SetSummary], folder: Path) -> None:
-    """One figure and one table of all sets, ``all-sets``, beside the page in the folder of a report."""
-    _write_figure(set_bars(summaries), folder / "all-sets")
-    _write_table(*table_of_sets(summaries), folder / "all-sets")
-
-
 def _write_files(one: Shown, folder: Path) -> None:
     """The figures of a set as SVG and PDF, its tables as CSV and LaTeX."""
     folder.mkdir(exist_ok=True)
     if one.drawn is None:
         return
     for name, figure in one.drawn.figures.items():
-        _write_figure(figure, folder / name)
+        write_whole(folder / f"{name}.svg", figure.svg.encode())
+        write_whole(folder / f"{name}.pdf", figure.pdf())
     for name, (caption, table) in tables_of(one.summary, one.drawn.analysis.series).items():
-        _write_table(caption, table, folder / name)
-
-
-def _write_figure(figure: Picture, path: Path) -> None:
-    write_whole(path.with_name(f"{path.name}.svg"), figure.svg.encode())
-    write_whole(path.with_name(f"{path.name}.pdf"), figure.pdf())
-
-
-def _write_table(caption: str, table: pd.DataFrame, path: Path) -> None:
-    write_whole(path.with_name(f"{path.name}.csv"), table.to_csv(index=False, lineterminator="\n").encode())
-    tex = table.to_latex(
-        index=False,
-        escape=True,
-        float_format=lambda value: f"{value:#.3g}".rstrip("."),
-        na_rep="--",
-        caption=caption.replace("%", r"\%"),
-        label=f"tab:{path.name}",
-        longtable=len(table) > MOST_ROWS,
-    )
-    write_whole(path.with_name(f"{path.name}.tex"), tex.encode())
+        write_whole(folder / f"{name}.csv", table.to_csv(index=False, lineterminator="\n").encode())
+        tex = table.to_latex(
+            index=False,
+            escape=True,
+            float_format=lambda value: f"{value:#.3g}".rstrip("."),
+            na_rep="--",
+            caption=caption.replace("%", r"\%"),
+            label=f"tab:{name}",
+            longtable=len(table) > MOST_ROWS,
+        )
+        write_whole(folder / f"{name}.tex", tex.encode())
 
 
 def _shown(score: SetScore) -> Shown:

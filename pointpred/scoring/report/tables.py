@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from pointpred.scoring.results import AXIS_FRACTIONS
@@ -56,22 +56,6 @@ def tables_of(summary: SetSummary, anova: AnovaSeries) -> dict[str, tuple[str, p
     made["left-out"] = ("Trials that were left out, and why", pd.DataFrame(left_out))
     made["anova"] = ("Analysis of variance of the single-axis error", _anova(anova))
     return {name: (caption, table) for name, (caption, table) in made.items() if len(table)}
-
-
-def table_of_sets(summaries: Sequence[SetSummary]) -> tuple[str, pd.DataFrame]:
-    """The caption and the table of several sets: a row a predictor, for each set its share and interval."""
-    import pandas as pd
-
-    rows: dict[str, dict[str, object]] = {}
-    for one in summaries:
-        for p in one.predictors:
-            low, high = p.time_averaged.interval or (None, None)
-            own = {one.name: p.time_averaged.of_hold, f"{one.name} from": low, f"{one.name} to": high}
-            rows.setdefault(p.name, {"predictor": p.name}).update(own)
-    level = f"{summaries[0].interval.level:.0%} bootstrap intervals"
-    return f"Time-averaged error of all sets, share of the error of hold; {level}", pd.DataFrame(
-        list(rows.values())
-    )
 
 
 def _scores(summary: SetSummary) -> pd.DataFrame:
