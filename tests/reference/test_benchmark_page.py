@@ -218,10 +218,11 @@ def test_the_page_is_what_its_definitions_give_and_what_is_scored() -> None:
 
 
 def test_the_interval_is_what_numpy_draws() -> None:
-    above, below = np.array([60.0, 85.0, 90.0, 50.0]), np.array([100.0, 100.0, 95.0, 70.0])
-    drawn = np.random.default_rng(0).integers(0, 4, (2000, 4))
+    sums = re.findall(r"^Example: sums (.*) of a predictor and (.*) of `hold`", PAGE, re.MULTILINE)[0]
+    above, below = (np.array([float(number) for number in text.split(", ")]) for text in sums)
+    drawn = np.random.default_rng(0).integers(0, 8, (2000, 8))
     bounds = np.quantile(above[drawn].sum(axis=1) / below[drawn].sum(axis=1), [0.025, 0.975])
-    own = ratio_intervals(above[:, None], below[:, None], ["ann", "bob", "eve", "fay"])
+    own = ratio_intervals(above[:, None], below[:, None], list("abcdefgh"))
     assert [own.low[0], own.high[0]] == pytest.approx(bounds.tolist(), rel=1e-12)
     share, low, high = re.findall(r"`hold`: ([\d.]+) in all, interval ([\d.]+) to ([\d.]+)\.", PAGE)[0]
     assert float(share) == pytest.approx(above.sum() / below.sum(), abs=5e-7)
