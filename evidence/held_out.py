@@ -2,7 +2,8 @@
 
 ``python -m evidence.held_out`` fits them to the recordings in POINTPRED_RECORDINGS, a network for each set
 left out and one for each fold of people left out, and keeps them in the user's cache: the same code and the
-same recordings are not fitted twice.
+same recordings are not fitted twice. The files ``pointpred/datasets/set_left_out/SET.npz`` of the benchmark
+are copies of ``set SET.npz``.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ import msgspec
 import pointpred
 from evidence.arguments import parse
 from pointpred import REGISTRY, build
+from pointpred.benchmark import SET_OUT
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file
@@ -36,8 +38,8 @@ CODE = (
     *("scoring/**/*", "recordings/**/*", "recording*", "columns*", "registry*"),
 )
 """What the coefficients hang on."""
-SET_OUT, PEOPLE_OUT = " (set left out)", " (people left out)"
-"""What is added to a name of the registry where its coefficients did not see what they are judged on."""
+PEOPLE_OUT = " (people left out)"
+"""What is added to a name of the registry where its coefficients did not see the people; SET_OUT: the set."""
 THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
@@ -142,10 +144,13 @@ def fit(school: TrainingData, settings: Settings, where: Path) -> None:
         train.save(where / f"fold {k}.npz", fitted, train.calibration_table(school, others, settings), {})
         fold_of |= {name: k for name, user in school.users.items() if user in users}
     (where / "people.json").write_text(json.dumps(fold_of), encoding="utf-8")
+    card = train.card_of(school, settings)
     for name, number in everybody.items() if len(everybody) > 1 else ():
+        others_seen = {"sets": [one for one in card["sets"] if one["name"] != name]}
         rest = msgspec.structs.replace(school, own=tuple(_without(school, number)))
         table = train.calibration_table(rest, nets, settings)
-        train.save(where / f"set {name}.npz", train.fit_without(school, set(), number, settings), table, {})
+        fitted = train.fit_without(school, set(), number, settings)
+        train.save(where / f"set {name}.npz", fitted, table, card | others_seen)
         say(f"{name} left out")
 
 

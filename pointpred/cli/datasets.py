@@ -68,9 +68,6 @@ def fetch_set(
     folder: Annotated[
         Path, typer.Option(metavar="FOLDER", file_okay=False, help="Where to put it; made if missing.")
     ] = Path("recordings"),
-    accept_unverified: Annotated[
-        bool, typer.Option("--accept-unverified", help="Also fetch files whose digest is not recorded.")
-    ] = False,
 ) -> None:
     """Download a public set over https, and check each file by its digest.
 
@@ -80,7 +77,7 @@ def fetch_set(
 
       pointpred datasets fetch gofitts_demo
 
-      pointpred datasets fetch gofitts_demo --folder recordings --accept-unverified
+      pointpred datasets fetch gofitts_demo --folder recordings
     """
     from pointpred.cli.progress import following
     from pointpred.datasets import fetch, find
@@ -88,7 +85,7 @@ def fetch_set(
     entry = find(name)
     into = folder / entry.name
     with following() as progress:
-        fetched = fetch(entry, into, accept_unverified=accept_unverified, progress=progress, say=remark)
+        fetched = fetch(entry, into, progress=progress, say=remark)
     for file in fetched:
         typer.echo(file.path)
     if entry.importer is not None:

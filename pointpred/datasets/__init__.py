@@ -2,6 +2,6 @@
 
 from pointpred.datasets.catalogue import DataSet, RemoteFile, find, listing
 from pointpred.datasets.embedded import sample
-from pointpred.datasets.fetch import Fetched, fetch
+from pointpred.datasets.fetch import Fetched, fetch, terms
 
-__all__ = ["DataSet", "Fetched", "RemoteFile", "fetch", "find", "listing", "sample"]
+__all__ = ["DataSet", "Fetched", "RemoteFile", "fetch", "find", "listing", "sample", "terms"]

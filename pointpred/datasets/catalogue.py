@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import difflib
+from pathlib import Path
 from urllib.parse import quote
 
 import msgspec
 
 from pointpred.errors import ParameterError
+from pointpred.recording import Recording
+from pointpred.recordings.reading import People, Reading
 
 
 class RemoteFile(msgspec.Struct, frozen=True):
@@ -23,7 +26,8 @@ class DataSet(msgspec.Struct, frozen=True):
 
     ``users`` and ``trials`` are ``None`` where unknown. ``files`` is empty where a program cannot fetch the
     set: a user then gets it from ``page``. ``importer`` names the format ``pointpred convert`` reads it as,
-    ``None`` where none does.
+    ``None`` where none does. ``reading`` and ``people`` are how ``read`` makes trials of its files, ``None``
+    where it cannot, or where they hold no movements of a cursor.
     """
 
     name: str
@@ -38,6 +42,8 @@ class DataSet(msgspec.Struct, frozen=True):
     importer: str | None = None
     files: tuple[RemoteFile, ...] = ()
     note: str = ""
+    reading: Reading | None = None
+    people: People = "column"
 
     @property
     def fetchable(self) -> bool:
@@ -48,6 +54,18 @@ class DataSet(msgspec.Struct, frozen=True):
     def verified(self) -> bool:
         """Whether every file has a digest to be checked against."""
         return self.fetchable and all(file.sha256 is not None for file in self.files)
+
+    def read(self, folder: str | Path) -> Recording:
+        """The trials of its files, which ``fetch`` has put into ``folder``; raises RecordingError.
+
+        Without notes: how the files are read is known.
+        """
+        from pointpred.recordings import read_any
+
+        assert self.reading is not None
+        files = [Path(folder) / file.name for file in self.files]
+        (found,) = read_any(files, self.reading, people=self.people)
+        return msgspec.structs.replace(found, name=self.name, notes=())
 
 
 def github_file(repository: str, path: str, commit: str = "HEAD", sha256: str | None = None) -> RemoteFile:

@@ -66,11 +66,10 @@ def fetch(
     if unknown and not accept_unverified:
         raise ParameterError(
             f"{entry.name}: no digest is recorded for {', '.join(unknown)}, so what arrives cannot be "
-            f"checked; pass accept_unverified (--accept-unverified) to fetch it all the same"
+            f"checked; pass accept_unverified=True to fetch it all the same"
         )
-    say(f"{entry.name}: {entry.licence}. Please cite {entry.citation}. {entry.page}")
-    if entry.note:
-        say(f"{entry.name}: {entry.note}")
+    for line in terms(entry):
+        say(line)
     place = Path(folder)
     made = [path for path in (place, *place.parents) if not path.exists()]
     _make(place)
@@ -79,6 +78,12 @@ def fetch(
     except BaseException:
         _clear(made)
         raise
+
+
+def terms(entry: DataSet) -> tuple[str, ...]:
+    """The licence of a set, whom to cite, and what else to know before it is used, a line each."""
+    licence = f"{entry.name}: {entry.licence}. Please cite {entry.citation}. {entry.page}"
+    return (licence, f"{entry.name}: {entry.note}") if entry.note else (licence,)
 
 
 def check_url(url: str) -> None:

@@ -1,12 +1,13 @@
 """The catalogue's entries: public facts only, each from the source's own page.
 
-No digest is recorded yet: the originals have not been fetched and verified by this project. ``fetch``
-prints the digest it finds, and one that two people have seen belongs here.
+Each digest is that of the file in a clone of its repository, at the commit named. Entries with a ``reading``
+make the benchmark.
 """
 
 from __future__ import annotations
 
 from pointpred.datasets.catalogue import DataSet, github_file
+from pointpred.recordings.reading import AS_IS, Reading
 
 SETS: tuple[DataSet, ...] = (
     DataSet(
@@ -23,6 +24,8 @@ SETS: tuple[DataSet, ...] = (
             github_file(
                 "Freihaut/Freihaut_Goeritz-2021-Study_Files-Mouse",
                 "Datasets/Data_LSTM_Analysis/Data_PointClick_Task.pkl",
+                "b21812dc215de6cf1409c8d3b5b1c24547bc8a95",
+                "4089b47b555ad2944da5ac645f970dcb4ff0041ccda835f9b7f0d694549eedd7",
             ),
         ),
         note="A Python pickle can run code when opened: pointpred never opens it. Read it with a restricted "
@@ -38,7 +41,14 @@ SETS: tuple[DataSet, ...] = (
         480,
         "10.09 ms, equispaced",
         "centre and width 14-124 px, 193-1401 px away",
-        files=(github_file("jgori-ouistiti/PVPlib", "tests/23714_fusion.json"),),
+        files=(
+            github_file(
+                "jgori-ouistiti/PVPlib",
+                "tests/23714_fusion.json",
+                "e18f6b55e9b27d3cf0f10394bf4d1f2316c355c7",
+                "afe7b3fe9ed466413904a05a5af45f5bbd6de6d696dd1c84de5300b3843d34e0",
+            ),
+        ),
     ),
     DataSet(
         "cryslacks",
@@ -55,11 +65,13 @@ SETS: tuple[DataSet, ...] = (
                 "Cryslacks/Human-Mouse-Movement-Simulator",
                 "pytorch/data/1.5k_1ms.txt",
                 "5b480d12da6a0644527668c8d3c04e5aa6df2f6e",
+                "99f8d0c8688bed340058f4ff7e785cf6560b290701e9762689b8fae8a2830250",
             ),
             github_file(
                 "Cryslacks/Human-Mouse-Movement-Simulator",
                 "AMM-AugmentedMouseMovement/test200_1ms.txt",
                 "5b480d12da6a0644527668c8d3c04e5aa6df2f6e",
+                "c9086c0fa198156d4c5ca8feaaeb7a812c8b21bfb980972843dee0c1a813e24d",
             ),
         ),
         note="The trials at 10 ms lie in further files of AMM-AugmentedMouseMovement.",
@@ -80,9 +92,10 @@ SETS: tuple[DataSet, ...] = (
                 "PascalKieslich/mousetrap-resources",
                 "KieslichHenninger2017/merged_data/raw_data.csv.gz",
                 "a6f90967b413bed692dc7c8308c6b629a0649de3",
+                "fb2557d73e31e3a6aa929c9d1b44284d570dd64a672275c30e70a7e33302b6fb",
             ),
         ),
-        note="Unpack the .gz before converting.",
+        reading=AS_IS,
     ),
     DataSet(
         "humanmovemouse",
@@ -112,8 +125,10 @@ SETS: tuple[DataSet, ...] = (
                 "ChrisVeigl/PlotFittsTrace",
                 "demo/FittsTask-P50-C00-S00-G00-2D-MB-B02.sd3",
                 "1eb6949be01b296a9fe15a567818e5345d2ab044",
+                "3fd86c0b0f7d4236256aeda46f962c66de558fb1a39b8bba8837c91441826e5c",
             ),
         ),
+        reading=AS_IS,
     ),
     DataSet(
         "jrcalgo",
@@ -122,26 +137,35 @@ SETS: tuple[DataSet, ...] = (
         "MIT, 2024 jrcalgo",
         "generative-mouse-trajectories, jrcalgo 2024",
         1,
-        297,
+        302,
         "16 ms, stamps in bursts",
         "click known",
         files=(
             github_file(
                 "jrcalgo/generative-mouse-trajectories",
-                "data/mouse_data_20260118_034910.csv",
+                "data/mouse_data_20250813_235208.csv",
                 "a4560d02b8425b61673428d7d9860a4743ba7beb",
+                "2b2d051f97a713f426cb901d846ea9d9570a80daf3db5481c4ca4ce1ebae8397",
             ),
             github_file(
                 "jrcalgo/generative-mouse-trajectories",
                 "data/mouse_data_20260203_112701.csv",
                 "a62b4af8aeae542fa8ed0a716ad32480f5fbe065",
+                "7294d2b8e7474a293041bfa42caf4eaed1668d08403455cd763c5ea5cf09b959",
             ),
             github_file(
                 "jrcalgo/generative-mouse-trajectories",
                 "data/mouse_data_20260206_204924.csv",
                 "aba28c3882c13e7ec592371f030a2c18c62e5f3f",
+                "4e2e87fc1c74e9a1ced1404d256fd4e543a1e8f1eb24f1a9e0fcbfb919f60552",
             ),
         ),
+        reading=Reading(
+            columns={"t": "timestamp", "x": "position_x", "y": "position_y", "buttons": "click_events"},
+            time_unit="s",
+            cut="clicks",
+        ),
+        people="folder",
     ),
     DataSet(
         "evemu_mice",
@@ -159,16 +183,19 @@ SETS: tuple[DataSet, ...] = (
                 "whot/evemu-devices",
                 "mice/PS2 Generic Mouse.events",
                 "368e30804d58b7c57b2b1058dbb67fefca03a8ae",
+                "764d192206d2d5179070c669b04b00f28a490b949b42bb8c9564a8096572ea96",
             ),
             github_file(
                 "whot/evemu-devices",
                 "mice/Saitek Cyborg R.A.T.5 Mouse.events",
                 "ad1f3628657316eb9f3f95d1c05b54ab7b478fdb",
+                "657bceb1622d9d2e916457d0c625ff1221470d2621f6f6e4be105d5729d4889e",
             ),
             github_file(
                 "whot/evemu-devices",
                 "mice/Ultrathin Touch Mouse.events",
                 "a69498f0eeded27b56b74be59617ecb0ba955206",
+                "18fa4cc432d9480ffe4e50a45ad0a231d9286df4a045c943792f93108b6d90c1",
             ),
         ),
     ),

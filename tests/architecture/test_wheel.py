@@ -112,6 +112,7 @@ def test_wheels_hold_the_templates_the_sample_and_the_page(wheels: dict[str, Pat
     assert {
         "pointpred/scoring/report/templates/report.html",
         "pointpred/datasets/simulated_circle_samples.parquet",
+        "pointpred/datasets/set_left_out/kh2017.npz",
         "pointpred/devices/70-pointpred.rules",
     } <= library
     server = PACKAGES["pointpred_server"]

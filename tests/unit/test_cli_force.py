@@ -9,6 +9,8 @@ from typing import Any
 import pytest
 
 WRITING = {
+    "benchmark": ("--predictors", "hold", "--json"),
+    "benchmark in a report": ("--predictors", "hold", "--report"),
     "convert": ("tests/data/sources/gofitts.sd3", "--out"),
     "measures": ("sample", "--out"),
     "measures drawn": ("sample", "--plot"),
