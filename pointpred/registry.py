@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import difflib
+import re
 import warnings
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cache
 from importlib.metadata import entry_points
 from typing import Any
@@ -170,6 +172,23 @@ def find_others() -> None:
         warnings.warn(
             f"the predictor {found.name!r} of {found.value} {trouble}; it is left out", stacklevel=2
         )
+
+
+def settings_in(spelled: str) -> tuple[str, dict[str, Any]]:
+    """A name and what is set behind it, each after a colon; values are numbers, or words.
+
+    >>> settings_in("kinematic-adaptive:places=0:distances=0")
+    ('kinematic-adaptive', {'places': 0, 'distances': 0})
+    """
+    name, *parts = re.split(r":(?=\s*\w+\s*=)", spelled)
+    settings: dict[str, Any] = {}
+    for part in parts:
+        word, _, text = (piece.strip() for piece in part.partition("="))
+        settings[word] = text
+        for kind in (float, int):  # the last that fits
+            with suppress(ValueError):
+                settings[word] = kind(text)
+    return name.strip(), settings
 
 
 def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:

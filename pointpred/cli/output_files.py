@@ -25,6 +25,7 @@ Numbers = Annotated[
     typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
 ]
 """Where the numbers that are printed go as JSON."""
+TRIAL_TABLE = b'"set","unit","user","trial",'
 PLANTS_AND_DESIGNS = "pointpred observers"
 """The "format" of the files of pointpred-observers, which no result replaces."""
 
@@ -86,7 +87,7 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path], force
             raise ParameterError(
                 f"{option} {target} would replace a file that this command reads; name another file"
             )
-        if target.is_file() and _is_recording(target):
+        if target.is_file() and _is_recording(target) and not _is_trial_table(target):
             raise ParameterError(f"{option} {target} would replace a recording; name another file")
         if option == "--json" and target.is_file() and _is_plant_or_design(target):
             raise ParameterError(f"{option} {target} would replace a plant or a design; name another file")
@@ -111,6 +112,12 @@ def _is_recording(path: Path) -> bool:
         return form is not None and (not form.tabular or form.key == "delimited")
     except RecordingError:  # empty or not to be read: no recording is lost
         return False
+
+
+def _is_trial_table(path: Path) -> bool:
+    """Whether a file is what ``score --trials`` wrote, which holds no samples."""
+    with path.open("rb") as file:
+        return file.read(len(TRIAL_TABLE)) == TRIAL_TABLE
 
 
 class _Formatted(msgspec.Struct):

@@ -56,7 +56,8 @@ def score(
     predictors: Annotated[
         str,
         typer.Option(
-            help="Names separated by commas, or 'all'; 'hold' is always among them.",
+            help="Names separated by commas, or 'all'; 'hold' is always among them. Values are set behind a "
+            "name, after colons: kinematic-adaptive:places=0",
             autocompletion=complete_predictors,
         ),
     ] = "all",
@@ -64,6 +65,33 @@ def score(
     report: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write a report as one HTML file.")
     ] = None,
+    trials: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Write a table with a row a trial and predictor: .csv or .parquet."
+        ),
+    ] = None,
+    where: Annotated[
+        str,
+        typer.Option(
+            metavar="RULE",
+            help="Count only trials that fit, as 'phase != practice and width >= 20'. Predictors that learn "
+            "a person see the others, too.",
+        ),
+    ] = "",
+    by: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="COLUMN",
+            help="Also a table for each level of this condition, or of user; repeatable, or with commas.",
+        ),
+    ] = None,
+    contrast: Annotated[
+        str,
+        typer.Option(
+            metavar="A,B", help="Compare these two predictors over people, or 'all': every pair, by Holm."
+        ),
+    ] = "",
     targets: Annotated[
         bool,
         typer.Option(
@@ -100,6 +128,10 @@ def score(
 
       pointpred score my.csv --columns t=time,x=px,y=py,user=sid,trial=n --time-unit ms
 
+      pointpred score study.csv --where 'phase != practice' --by width --trials scored.csv
+
+      pointpred score --predictors kinematic,switched:delay_s=0.02 --contrast kinematic,hold
+
       pointpred score session.csv --json - | jq '.sets[0].predictors'
 
       pointpred score --targets --predictors minimum-jerk
@@ -107,7 +139,7 @@ def score(
       pointpred score million_samples.parquet --predictors switched --checkpoints done --cluster local
     """
     names = predictor_names(predictors)
-    check_targets({"--json": json, "--report": report}, files or (), force)
+    check_targets({"--json": json, "--report": report, "--trials": trials}, files or (), force)
     parameters = with_coefficients(names, coefficients)
     reasons: Reasons = {}
     if report is not None:
@@ -119,8 +151,14 @@ def score(
     from pointpred.scoring.scorer import scoring_with
     from pointpred.scoring.summary.document import VERSION
     from pointpred.scoring.target_choice import TargetDocument, score_targets, summarise_targets
+    from pointpred.scoring.trial_table import check_trials_file, trial_table, write_trials
 
-    scoring = scoring_with(names, parameters=parameters, cpi=cpi, dpi=dpi, targets=targets)
+    if trials is not None:
+        check_trials_file(trials)
+    scoring = scoring_with(
+        names, parameters=parameters, cpi=cpi, dpi=dpi, targets=targets, where=where, by=listed(by or []),
+        contrast=listed([contrast]),
+    )  # fmt: skip
     sets, drawn, choices = [], [], []
     with (
         open_executor(threads=threads, cluster=cluster) as executor,
@@ -132,12 +170,13 @@ def score(
                     source, scoring, executor, checkpoints=checkpoints, progress=progress
                 )
                 sets.append(scored.summary())
-                if report is not None:
-                    drawn.append(scored.joined(WORST))
+                if report is not None or trials is not None:
+                    drawn.append(scored.joined(WORST if report is not None else 0))
                 if targets and isinstance(source, Recording):
                     made = score_targets(
-                        source, names, threads=threads, cpi=cpi, dpi=dpi, parameters=parameters
-                    )
+                        source, names, threads=threads, cpi=cpi, dpi=dpi, parameters=parameters,
+                        where=scoring.where,
+                    )  # fmt: skip
                     choices += [summarise_targets(kind) for kind in made]
             except Exception as error:  # whatever is wrong with one recording, the others are scored
                 if isinstance(error, ParameterError) and error.field in OUTSIDE:
@@ -147,6 +186,8 @@ def score(
         from pointpred.scoring.report import write_report
 
         write_report(drawn, report)
+    if trials is not None and drawn:
+        write_trials(trial_table(drawn), trials)
     scores = Document(VERSION, tuple(sets), tuple(_unread(reasons)))
     if json is not None:
         whole = TargetDocument(VERSION, scores.sets, scores.unread, targets=tuple(choices))
@@ -158,6 +199,8 @@ def score(
         print_targets(choices)
     if report is not None and drawn:
         remark(f"report written: {report}")
+    if trials is not None and drawn:
+        remark(f"trials written: {trials}")
     if not any(one.trials for one in scores.sets):
         raise RecordingError("no trial could be scored; see the reasons above", code="nothing_scored")
 
@@ -178,18 +221,24 @@ def _unread(reasons: Reasons) -> list[Unread]:
     return [Unread(readable(file), readable(why)) for file, why in reasons.items()]
 
 
+def listed(texts: list[str]) -> list[str]:
+    """What is named in ``a,b``, one or more of them."""
+    return list(dict.fromkeys(part.strip() for text in texts for part in text.split(",") if part.strip()))
+
+
 def predictor_names(text: str) -> list[str]:
     """The predictors named in ``a,b`` or ``all``; raises ParameterError for an unknown or an empty list."""
-    from pointpred.registry import REGISTRY, build
+    from pointpred.registry import REGISTRY, build, settings_in
 
     if text.strip() == "all":
         return list(REGISTRY)
-    names = list(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
+    names = listed([text])
     if not names:
         message = f"--predictors needs names separated by commas or 'all', received {text!r}"
         raise ParameterError(message, field="predictors", value=text)
     for name in names:
-        build(name)
+        known, settings = settings_in(name)
+        build(known, **settings)
     return names
 
 

@@ -66,9 +66,9 @@ def with_coefficients(names: list[str], file: Path | None) -> dict[str, dict[str
     """
     if file is None:
         return {}
-    from pointpred.registry import REGISTRY, build, takes
+    from pointpred.registry import REGISTRY, build, settings_in, takes
 
-    taking = [name for name in names if takes(name, PARAMETER)]
+    taking = [known for known, _ in map(settings_in, names) if takes(known, PARAMETER)]
     if not taking:
         takers = ", ".join(name for name in REGISTRY if takes(name, PARAMETER))
         raise ParameterError(f"--coefficients needs one of {takers}, received {', '.join(names)}")

@@ -107,3 +107,7 @@ class SetScore(msgspec.Struct, frozen=True):
     """What the candidates were, in words, and of how many trials; ``None`` where none were asked for"""
     worst: WorstTrials | None = None
     """Of the best predictor; ``None`` where ``score`` was not asked for them."""
+    by: tuple[str, ...] = ()
+    """Columns whose levels are groups of trials."""
+    contrast: tuple[str, ...] = ()
+    """The two predictors that statistics compares; ``("all",)``: every pair; none: nobody asked."""

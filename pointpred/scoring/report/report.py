@@ -32,7 +32,14 @@ from pointpred.scoring.report.figures import (
     time_left_bars,
 )
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, SetScore, WorstTrials
-from pointpred.scoring.statistics import AnovaSeries, AxisProfile, Effect, axis_anova, axis_profile
+from pointpred.scoring.statistics import (
+    EVERY_PAIR,
+    AnovaSeries,
+    AxisProfile,
+    Effect,
+    axis_anova,
+    axis_profile,
+)
 from pointpred.scoring.summary import FLOOR, PredictorSummary, SetSummary, summarise
 from pointpred.scoring.summary.document import about_targets, footnotes
 
@@ -66,7 +73,9 @@ def highlighted(summary: SetSummary) -> tuple[str, ...]:
 
 
 def compared(score: SetScore) -> tuple[str, ...]:
-    """Models the analysis compares: the pair of the thesis where both were scored, otherwise all but hold."""
+    """Models the analysis compares: the two that were asked for, or the thesis's, otherwise all but hold."""
+    if score.contrast and score.contrast != EVERY_PAIR:
+        return score.contrast
     names = [predictor.name for predictor in score.predictors]
     both = pair(names)
     return both if len(both) == 2 else tuple(name for name in names if name != FLOOR) or (FLOOR,)
@@ -381,5 +390,5 @@ def _analysis(score: SetScore, profiles: Mapping[str, AxisProfile]) -> Analysis:
     """The analysis of variance of the single-axis error."""
     models = compared(score)
     compared_profiles = [profile for name, profile in profiles.items() if name in models]
-    thesis = models == pair([predictor.name for predictor in score.predictors])
+    thesis = not score.contrast and models == pair([predictor.name for predictor in score.predictors])
     return analysis(axis_anova(score, models), compared_profiles, thesis=thesis)

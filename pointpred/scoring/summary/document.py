@@ -13,6 +13,7 @@ from math import isfinite, nan
 import msgspec
 
 from pointpred.recording import Skip
+from pointpred.scoring.statistics import Contrast
 
 VERSION = 1
 
@@ -174,6 +175,9 @@ class GroupSummary(msgspec.Struct, frozen=True):
     basis: str
     """The rule that puts trials into the group."""
     trials: int
+    column: str = ""
+    level: str = ""
+    """Where the group is a level of a column that was asked for."""
 
 
 class SetSummary(msgspec.Struct, frozen=True):
@@ -197,6 +201,8 @@ class SetSummary(msgspec.Struct, frozen=True):
     """``hold`` first."""
     candidates: dict[str, int] | None = None
     """With targets: what the candidates were, in words, and of how many trials; ``None``: without targets."""
+    contrasts: tuple[Contrast, ...] = ()
+    """Of the pairs that were asked for."""
 
 
 class Unread(msgspec.Struct, frozen=True):
@@ -251,27 +257,32 @@ def about_targets(summary: SetSummary) -> str:
     return f"With targets: all targets of a trial's block are candidates: {listed}."
 
 
-def rows(summary: SetSummary) -> list[tuple[str, ...]]:
-    """The table of a set from its ``summary``: a row of text a predictor, a cell for each of HEADINGS."""
-    several = summary.trials > 1  # one trial drawn again and again is no interval
-    return [_row(predictor, several) for predictor in summary.predictors]
+def rows(summary: SetSummary, group: str = "") -> list[tuple[str, ...]]:
+    """The table of a set, or of one of its groups: a row of text a predictor, a cell for each of HEADINGS.
+
+    What is not measured of a group is "-" there: clean trials, answers, the cost.
+    """
+    trials = summary.groups[group].trials if group else summary.trials
+    several = trials > 1  # one trial drawn again and again is no interval
+    return [_row(predictor, group, several) for predictor in summary.predictors]
 
 
-def _row(predictor: PredictorSummary, several: bool) -> tuple[str, ...]:
-    interval = predictor.time_averaged.interval if several else None
-    clean = predictor.groups.get("clean_trials")
+def _row(predictor: PredictorSummary, group: str, several: bool) -> tuple[str, ...]:
+    shown = predictor.groups[group] if group else predictor
+    interval = shown.time_averaged.interval if several else None
+    clean = None if group else predictor.groups.get("clean_trials")
     chosen = [
-        *(predictor.by_time[fraction] for fraction in (0.3, 0.5, 0.7, 0.9)),
-        *(predictor.by_path[fraction] for fraction in (0.5, 0.75, 0.9)),
+        *(shown.by_time[fraction] for fraction in (0.3, 0.5, 0.7, 0.9)),
+        *(shown.by_path[fraction] for fraction in (0.5, 0.75, 0.9)),
     ]
     return (
         predictor.name,
-        _text(predictor.time_averaged.of_hold),
+        _text(shown.time_averaged.of_hold),
         "-" if interval is None else f"{interval[0]:.2f} to {interval[1]:.2f}",
         _text(None if clean is None else clean.time_averaged.of_hold),
         *(_text(cell.of_hold) for cell in chosen),
-        "-" if predictor.coverage is None else f"{predictor.coverage:.0%}",
-        _text(predictor.us_per_event),
+        "-" if group or predictor.coverage is None else f"{predictor.coverage:.0%}",
+        "-" if group else _text(predictor.us_per_event),
     )
 
 

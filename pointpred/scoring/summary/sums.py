@@ -6,7 +6,8 @@ into parts, and memory does not grow with the number of trials.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from sys import intern
 
 import msgspec
 import numpy as np
@@ -23,6 +24,7 @@ from pointpred.scoring.results import (
     PredictorErrors,
     SetScore,
 )
+from pointpred.scoring.selection import known_of, label, levels_of
 from pointpred.stage import offsets
 
 EXPERIENCE = ("experience", "skill", "group")
@@ -44,10 +46,13 @@ class TrialColumns(msgspec.Struct, frozen=True):
     labels: NDArray[np.int8]
     """(EXPERIENCE, trials): the place in LABELS of what the condition says, -1 for anything else."""
     events: int
+    by: dict[str, tuple[str, ...]] = {}
+    """Of each column whose levels are groups: the level of each trial."""
 
 
-def trial_columns(parts: Iterable[SetScore]) -> TrialColumns:
+def trial_columns(parts: Iterable[SetScore], by: Sequence[str] = ()) -> TrialColumns:
     """The columns of a set that comes in parts, which are looked at one after the other."""
+    levels: dict[str, list[str]] = {name: [] for name in by}
     codes: dict[str, int] = {}
     person: list[NDArray[np.int64]] = [np.empty(0, dtype=np.int64)]
     flags: list[BoolArray] = [np.empty((3, 0), dtype=np.bool_)]
@@ -67,6 +72,9 @@ def trial_columns(parts: Iterable[SetScore]) -> TrialColumns:
             )
         )
         events += sum(one.events for one in trials)
+        for one in map(known_of, trials) if by else ():
+            for name in by:
+                levels[name].append(label(one.get(name)))
     people = sorted(codes)
     places = np.empty(len(codes), dtype=np.int64)
     places[[codes[name] for name in people]] = np.arange(len(people))
@@ -79,6 +87,7 @@ def trial_columns(parts: Iterable[SetScore]) -> TrialColumns:
         bool(judged.any()),
         np.concatenate(labels, axis=1),
         events,
+        {name: tuple(map(intern, column)) for name, column in levels.items()},
     )
 
 
@@ -101,6 +110,14 @@ class Group(msgspec.Struct, frozen=True):
     mask: BoolArray
     basis: str = ""
     """The rule that puts trials into the group."""
+    column: str = ""
+    level: str = ""
+    """Where the group is a level of a column."""
+
+    @property
+    def key(self) -> str:
+        """What the group is called in the document."""
+        return self.label if self.column else self.label.replace("-", "").replace(" ", "_")
 
 
 def groups_of(score: SetScore) -> tuple[Group, ...]:
@@ -109,7 +126,7 @@ def groups_of(score: SetScore) -> tuple[Group, ...]:
 
 
 def groups(trials: TrialColumns) -> tuple[Group, ...]:
-    """All trials; those with and without sub-movements; clean ones; experienced people and novices.
+    """All trials; with and without sub-movements; clean ones; experienced people and novices; levels.
 
     A group without a trial is not listed; one with every trial is.
     """
@@ -119,8 +136,16 @@ def groups(trials: TrialColumns) -> tuple[Group, ...]:
         Group("without sub-movements", ~trials.submovements, WHOLE),
         Group("clean trials", trials.clean, CLEAN_OWN if trials.judged else CLEAN_RULE),
         *_people(trials),
+        *(group for name, levels in trials.by.items() for group in _levels(name, levels)),
     ]
     return tuple(group for group in listed if group.mask.any())
+
+
+def _levels(name: str, column: Sequence[str]) -> Iterator[Group]:
+    """A group a level of a column."""
+    cells = np.array(column, dtype=object)
+    for level in levels_of(name, column):
+        yield Group(f"{name} = {level}", cells == level, f"--by {name}", name, level)
 
 
 def _people(trials: TrialColumns) -> list[Group]:
