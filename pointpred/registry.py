@@ -191,6 +191,19 @@ def settings_in(spelled: str) -> tuple[str, dict[str, Any]]:
     return name.strip(), settings
 
 
+def ablation(spelled: str) -> str | None:
+    """The same predictor without its memory of ends and distances; ``None`` where it has none.
+
+    >>> ablation("kinematic-adaptive:shortest_px=5"), ablation("linear")
+    ('kinematic-adaptive:shortest_px=5:places=0:distances=0', None)
+    """
+    name, settings = settings_in(spelled)
+    without = {**settings, **_entry(name).predictor.without_memory}
+    if without == settings or not build(name, **settings).learns:
+        return None
+    return ":".join([name, *(f"{word}={value}" for word, value in without.items())])
+
+
 def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:
     """Every parameter of a name with its value unless set otherwise, predictor's first."""
     entry = _entry(name)

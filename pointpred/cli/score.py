@@ -148,7 +148,7 @@ def score(
     from pointpred.scoring import Document
     from pointpred.scoring.chunks import score_in_chunks
     from pointpred.scoring.executors import open_executor
-    from pointpred.scoring.scorer import scoring_with
+    from pointpred.scoring.scorer import scoring_with, with_ablations
     from pointpred.scoring.summary.document import VERSION
     from pointpred.scoring.target_choice import TargetDocument, score_targets, summarise_targets
     from pointpred.scoring.trial_table import check_trials_file, trial_table, write_trials
@@ -156,8 +156,8 @@ def score(
     if trials is not None:
         check_trials_file(trials)
     scoring = scoring_with(
-        names, parameters=parameters, cpi=cpi, dpi=dpi, targets=targets, where=where, by=listed(by or []),
-        contrast=listed([contrast]),
+        with_ablations(names), parameters=parameters, cpi=cpi, dpi=dpi, targets=targets,
+        where=where, by=listed(by or []), contrast=listed([contrast]),
     )  # fmt: skip
     sets, drawn, choices = [], [], []
     with (

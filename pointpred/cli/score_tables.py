@@ -10,7 +10,7 @@ from rich.table import Table
 from pointpred.console import NARROW, counted, remark, results, table
 from pointpred.recording import Skip, kinds_of
 from pointpred.registry import REGISTRY
-from pointpred.scoring import HEADINGS, about_targets, footnotes, rows
+from pointpred.scoring import HEADINGS, about_memory, about_targets, footnotes, rows
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.summary import SetSummary
 
@@ -54,7 +54,7 @@ def print_sets(sets: Sequence[SetSummary], *, drawn: bool = False) -> None:
         if one.trials:
             results().print(title(one), style="bold", markup=False)
             results().print(_table(one))
-            if words := about_targets(one):
+            for words in filter(None, (about_targets(one), about_memory(one))):
                 results().print(words, markup=False)
             for note in footnotes(one):
                 results().print(note, style="red", markup=False)
@@ -87,7 +87,7 @@ def title(one: SetSummary) -> str:
 
 
 def _table(one: SetSummary, group: str = "") -> Table:
-    longer = max(len(predictor.name) for predictor in one.predictors) - LONGEST_NAME
+    longer = max(len(row[0]) for row in rows(one)) - LONGEST_NAME
     wide = results().width >= NARROW + max(longer, 0)
     names = {heading: heading for heading in HEADINGS} if wide else {**IN_NARROW}
     if longer > 0:

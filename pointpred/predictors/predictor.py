@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import ClassVar
+from collections.abc import Callable, Mapping
+from typing import Any, ClassVar
 
 from pointpred.errors import EventError
 from pointpred.predictors.mixture import Mixture
@@ -38,6 +38,11 @@ class Predictor(CompiledStage):
     """The part of ``step`` that changes the memory, where a law has such a part: whether it accepts a motion.
 
     Of a table of which only the last row is answered, the other rows are only followed.
+    """
+    without_memory: ClassVar[Mapping[str, Any]] = {}
+    """What to set so that it remembers neither where movements ended nor how far they went; {}: nothing.
+
+    Scoring shows such a predictor a second time, without this memory.
     """
     claims_time: ClassVar[bool] = True
     """False where no prediction says the time left: scoring then needs no clock to compare with."""

@@ -18,12 +18,9 @@ from pointpred.records import FloatArray, PredictionColumns
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.measures.trial_measures import TrialMeasures, measure_trials
-from pointpred.scoring.results import PredictorErrors
+from pointpred.scoring.results import WITH_TARGETS, PredictorErrors
 from pointpred.scoring.spans import each_in_threads, spans, users
 from pointpred.scoring.trials import Prepared
-
-WITH_TARGETS = " + targets"
-"""What is added to the name of a predictor that is given the recording's targets."""
 
 
 class GivenTargets(Pipeline):

@@ -17,7 +17,7 @@ from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
 from pointpred.recording import Recording, Skip
 from pointpred.records import BoolArray
-from pointpred.registry import build, settings_in
+from pointpred.registry import ablation, build, settings_in
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.measures.trial_measures import Claimed, TrialMeasures
 from pointpred.scoring.replay import (
@@ -28,7 +28,14 @@ from pointpred.scoring.replay import (
     given_targets,
     measure,
 )
-from pointpred.scoring.results import PredictorErrors, ScoredTrial, SetScore, WorstTrial, WorstTrials
+from pointpred.scoring.results import (
+    WITH_TARGETS,
+    PredictorErrors,
+    ScoredTrial,
+    SetScore,
+    WorstTrial,
+    WorstTrials,
+)
 from pointpred.scoring.selection import Where, check_selection, counted, names_of, where_of
 from pointpred.scoring.statistics import EVERY_PAIR
 from pointpred.scoring.summary import FLOOR
@@ -123,7 +130,14 @@ def set_without_trials(
             tuple(skip for one in outcomes for skip in one.failed[place]),
             reduce(or_, (one.claimed[place] for one in outcomes), NO_CLAIM),
         )
-        predictors.append(msgspec.structs.replace(errors, seen=_fitted_to(about.name, pipeline)))
+        predictors.append(
+            msgspec.structs.replace(
+                errors,
+                seen=_fitted_to(about.name, pipeline),
+                learns=pipeline.learns,
+                ablates=scoring.ablated.get(pipeline.name, ""),
+            )
+        )
     return SetScore(
         about.name,
         (),
@@ -158,7 +172,8 @@ def with_trials(about: SetScore, parts: Iterable[ScoredPart]) -> SetScore:
             targets=errors.hits is not None,
         )
         rows = joined.predictor_errors(errors.name, errors.us_per_event, errors.failed, claimed)
-        predictors.append(msgspec.structs.replace(rows, seen=errors.seen))
+        about_rows = {name: getattr(errors, name) for name in ("seen", "learns", "ablates")}
+        predictors.append(msgspec.structs.replace(rows, **about_rows))
     trials = tuple(trial for part in listed for trial in part.trials)
     return msgspec.structs.replace(about, trials=trials, predictors=tuple(predictors))
 
@@ -245,6 +260,15 @@ class Scoring(msgspec.Struct, frozen=True):
         """Fresh pipelines for a recording."""
         return self._built(resolution(recording, self.cpi, self.dpi))
 
+    @property
+    def ablated(self) -> dict[str, str]:
+        """By predictors that are others without their memory of ends and distances: those others."""
+        without = {}
+        for name in (name for name, p in self.patterns.items() if isinstance(p, str)):
+            if (other := ablation(name)) in self.patterns:
+                without |= {f"{other}{more}": f"{name}{more}" for more in ("", WITH_TARGETS)}
+        return without
+
     def check(self) -> KeysView[str]:
         """The names of all that is scored; raises ParameterError for what is wrong whatever the recording."""
         return self._built({"cpi": self.cpi, "dpi": 96.0 if self.dpi is None else self.dpi}).keys()
@@ -284,6 +308,12 @@ class Scoring(msgspec.Struct, frozen=True):
         pipeline = build(known, **settings, **{**self.parameters.get(known, {}), **said})
         pipeline.name = name
         return pipeline
+
+
+def with_ablations(predictors: Sequence[str]) -> list[str]:
+    """The names, each that remembers ends and distances followed by the same without this memory."""
+    names = [one for name in predictors for one in (name, ablation(name)) if one is not None]
+    return list(dict.fromkeys(names))
 
 
 def scoring_with(

@@ -27,7 +27,10 @@ Known = dict[str, Value]
 
 OWN = ("user", "trial", "target_x", "target_y", "target_w", "clean")
 """Of a recorded trial, as in pointpred's table of trials."""
-SCORED = ("distance_px", "onset_s", "arrival_s", "events", "submovements")
+SCORED = (
+    *("distance_px", "onset_s", "arrival_s", "events", "submovements"),
+    *("end_repeats", "distance_repeats"),
+)
 """What scoring finds of a trial."""
 UNKNOWN = "unknown"
 """The level of a trial without the value."""

@@ -33,7 +33,8 @@ def trial_table(scores: Iterable[SetScore]) -> Any:
     """A ``pyarrow.Table`` with a row a trial and predictor; its ``to_pandas()`` is a DataFrame.
 
     Columns: ``set, unit``; the trial, its target (px) and what scoring found, ``user, trial, target_x,
-    target_y, target_w, clean, distance_px, onset_s, arrival_s, events, submovements``; a column a condition;
+    target_y, target_w, clean, distance_px, onset_s, arrival_s, events, submovements, end_repeats,
+    distance_repeats``; a column a condition;
     ``predictor, coverage, time_averaged_px``, the error at shares of the time and of the path as
     ``time_30_px`` and ``path_50_px``, along the longer axis as ``axis_50_px``; ``hit_30``, 1 where the
     prediction lay in the target. Where ``unit`` is counts, px are counts. What is not known is null.
@@ -57,7 +58,7 @@ def _about(score: SetScore, words: Mapping[str, bool]) -> dict[str, Any]:
     trials = score.trials
     columns = {"set": [score.name] * len(trials), "unit": [score.unit] * len(trials)}
     kinds = {"user": pa.string(), "trial": pa.string(), "events": pa.int64()}
-    kinds |= {"clean": pa.bool_(), "submovements": pa.bool_()}
+    kinds |= dict.fromkeys(("clean", "submovements", "end_repeats", "distance_repeats"), pa.bool_())
     arrays: dict[str, Any] = {name: pa.array(cells, pa.string()) for name, cells in columns.items()}
     for name in (*OWN, *SCORED):
         cells = [getattr(one if name in (*SCORED, "clean") else one.trial, name) for one in trials]

@@ -41,7 +41,7 @@ from pointpred.scoring.statistics import (
     axis_profile,
 )
 from pointpred.scoring.summary import FLOOR, PredictorSummary, SetSummary, summarise
-from pointpred.scoring.summary.document import about_targets, footnotes
+from pointpred.scoring.summary.document import about_memory, about_targets, footnotes
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -339,7 +339,23 @@ def write_report(scores: Sequence[SetScore], path: str | Path) -> None:
     write_whole(Path(path), page("report.html", values).encode())
 
 
+def _with_short_names(score: SetScore) -> SetScore:
+    """The set with shorter names of predictors without memory, which figures have room for."""
+    short = {one.name: f"{one.ablates}, no memory" for one in score.predictors if one.ablates}
+    replace = msgspec.structs.replace
+    worst = score.worst and replace(
+        score.worst, predictor=short.get(score.worst.predictor, score.worst.predictor)
+    )
+    return replace(
+        score,
+        predictors=tuple(replace(one, name=short.get(one.name, one.name)) for one in score.predictors),
+        contrast=tuple(short.get(name, name) for name in score.contrast),
+        worst=worst,
+    )
+
+
 def _shown(score: SetScore) -> Shown:
+    score = _with_short_names(score)
     summary = ranked(summarise(score))
     return Shown(
         summary,
@@ -356,7 +372,7 @@ def _drawn(score: SetScore, summary: SetSummary) -> Drawn:
     kinds = (("by_time", "of_hold"), ("by_time", "px"), ("by_path", "of_hold"), ("by_path", "px"))
     return Drawn(
         conclusion=conclusion(summary),
-        footnotes=tuple(filter(None, (about_targets(summary), *footnotes(summary)))),
+        footnotes=tuple(filter(None, (about_targets(summary), about_memory(summary), *footnotes(summary)))),
         front=skill_bars(summary),
         along=tuple(curves(summary, shown, kind, quantity) for kind, quantity in kinds),
         groups=(clean_against_all(summary),) if "clean_trials" in summary.groups else (),

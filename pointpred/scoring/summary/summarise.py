@@ -36,6 +36,7 @@ from pointpred.scoring.summary.document import (
     Measures,
     Number,
     PredictorSummary,
+    Repeats,
     Resampling,
     SetSummary,
     TimeLeft,
@@ -229,10 +230,13 @@ def summarise_parts(about: SetScore, parts: Parts, *, draws: int = DRAWS) -> Set
                 hits=whole[place].hits,
                 groups={one.key: part[place] for one, part in zip(others, rest, strict=True)},
                 by_user=by_user[place],
+                learns=errors.learns,
+                ablates=errors.ablates,
             )
             for place, errors in enumerate(about.predictors)
         ),
         contrasts=pairs,
+        repeats=Repeats(*trials.repeats) if any(one.learns for one in about.predictors) else None,
     )
 
 

@@ -46,6 +46,8 @@ class TrialColumns(msgspec.Struct, frozen=True):
     labels: NDArray[np.int8]
     """(EXPERIENCE, trials): the place in LABELS of what the condition says, -1 for anything else."""
     events: int
+    repeats: tuple[float, float] = (0.0, 0.0)
+    """Shares of trials whose end, and whose distance, repeats an earlier one of the person."""
     by: dict[str, tuple[str, ...]] = {}
     """Of each column whose levels are groups: the level of each trial."""
 
@@ -55,7 +57,7 @@ def trial_columns(parts: Iterable[SetScore], by: Sequence[str] = ()) -> TrialCol
     levels: dict[str, list[str]] = {name: [] for name in by}
     codes: dict[str, int] = {}
     person: list[NDArray[np.int64]] = [np.empty(0, dtype=np.int64)]
-    flags: list[BoolArray] = [np.empty((3, 0), dtype=np.bool_)]
+    flags: list[BoolArray] = [np.empty((5, 0), dtype=np.bool_)]
     labels: list[NDArray[np.int8]] = [np.empty((len(EXPERIENCE), 0), dtype=np.int8)]
     events = 0
     for part in parts:
@@ -63,8 +65,11 @@ def trial_columns(parts: Iterable[SetScore], by: Sequence[str] = ()) -> TrialCol
         person.append(
             np.array([codes.setdefault(one.trial.user, len(codes)) for one in trials], dtype=np.int64)
         )
-        rows = [(one.submovements, one.clean, one.trial.clean is not None) for one in trials]
-        flags.append(np.array(rows, dtype=np.bool_).reshape(-1, 3).T)
+        rows = [
+            (one.submovements, one.clean, one.trial.clean is not None, one.end_repeats, one.distance_repeats)
+            for one in trials
+        ]
+        flags.append(np.array(rows, dtype=np.bool_).reshape(-1, 5).T)
         labels.append(
             np.array(
                 [[_label(one.trial.condition.get(name)) for one in trials] for name in EXPERIENCE],
@@ -78,7 +83,8 @@ def trial_columns(parts: Iterable[SetScore], by: Sequence[str] = ()) -> TrialCol
     people = sorted(codes)
     places = np.empty(len(codes), dtype=np.int64)
     places[[codes[name] for name in people]] = np.arange(len(people))
-    submovements, clean, judged = np.concatenate(flags, axis=1)
+    submovements, clean, judged, *again = np.concatenate(flags, axis=1)
+    ends, distances = (float(one.mean()) if len(one) else 0.0 for one in again)
     return TrialColumns(
         tuple(people),
         places[np.concatenate(person)],
@@ -87,6 +93,7 @@ def trial_columns(parts: Iterable[SetScore], by: Sequence[str] = ()) -> TrialCol
         bool(judged.any()),
         np.concatenate(labels, axis=1),
         events,
+        (ends, distances),
         {name: tuple(map(intern, column)) for name, column in levels.items()},
     )
 
