@@ -11,26 +11,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import floor, inf, nan
-from operator import index
 from types import NoneType
 from typing import (
     Annotated,
     Any,
-    ClassVar,
-    Generic,
     Literal,
     NamedTuple,
     Self,
-    TypeVar,
     get_args,
     get_type_hints,
-    overload,
 )
 
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pointpred.columns import Columns, numbers_of
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError
 from pointpred.parameter import is_number, warn_of_milliseconds
@@ -425,60 +421,6 @@ def prediction_of(row: Row) -> Prediction | None:
     return Prediction(t, x, y, scale, PHASES[int(phase)], left, freedom, spread if spread == spread else None)
 
 
-Record = TypeVar("Record")
-
-
-class Columns(Generic[Record]):
-    """A table of shape (rows, fields) with a name for each column.
-
-    Iterating gives the rows as records, an integer index one of them, a slice the columns of some rows.
-    """
-
-    names: ClassVar[tuple[str, ...]] = ()
-
-    def __init__(self, table: ArrayLike) -> None:
-        table = _numbers(table, type(self).__name__)
-        if table.ndim != 2 or table.shape[1] != len(self.names):
-            raise EventError(
-                f"{type(self).__name__} needs shape (rows, {len(self.names)}), received {table.shape}"
-            )
-        self.table = np.ascontiguousarray(table)
-
-    def __len__(self) -> int:
-        return len(self.table)
-
-    def __iter__(self) -> Iterator[Record]:
-        return map(self._record, self.table.tolist())
-
-    @overload
-    def __getitem__(self, place: slice) -> Self: ...
-
-    @overload
-    def __getitem__(self, place: int) -> Record: ...
-
-    def __getitem__(self, place: int | slice) -> Record | Self:
-        if isinstance(place, slice):
-            return self._rows(place)
-        return self._record(self.table[index(place)].tolist())
-
-    def _record(self, row: list[float]) -> Record:
-        """A row as a record."""
-        raise NotImplementedError
-
-    def _rows(self, some: slice) -> Self:
-        """Some rows as columns."""
-        return type(self)(self.table[some])
-
-    def __getattr__(self, name: str) -> FloatArray:
-        if name in type(self).names:
-            column: FloatArray = self.table[:, type(self).names.index(name)]
-            return column
-        raise AttributeError(f"{type(self).__name__} has no column {name!r}")
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.table,)
-
-
 class EventColumns(Columns[PointerEvent]):
     """Pointer events as columns, with ``begin`` marking the rows before which a stage is reset."""
 
@@ -506,14 +448,14 @@ class EventColumns(Columns[PointerEvent]):
 
         Warns of t in milliseconds. Raises EventError for an array of another length or of no numbers.
         """
-        time = _numbers(t, "t")
+        time = numbers_of(t, "t")
         if time.ndim != 1:
             raise EventError(f"t needs one number a row, received shape {time.shape}")
         table = np.column_stack([np.full((len(time), 5), np.nan), np.zeros(len(time))])
         for column, values in enumerate((time, x, y, dx, dy, buttons)):
             if values is None:
                 continue
-            numbers = _numbers(values, cls.names[column])
+            numbers = numbers_of(values, cls.names[column])
             if numbers.shape != time.shape:
                 raise EventError(
                     f"{cls.names[column]} needs {len(time)} rows as t has, received shape {numbers.shape}"
@@ -587,14 +529,3 @@ class PredictionColumns(Columns[Prediction | None]):
 
     def _record(self, row: list[float]) -> Prediction | None:
         return prediction_of(tuple(row))
-
-
-def _numbers(values: ArrayLike, name: str) -> FloatArray:
-    """An array of floats, from what numpy takes for numbers."""
-    try:
-        array = np.asarray(values)
-        if array.dtype.kind not in "biufO":
-            raise TypeError(f"received {array.dtype}")
-        return array.astype(np.float64, copy=False)
-    except (TypeError, ValueError) as wrong:
-        raise EventError(f"{name} needs numbers: {wrong}") from wrong
