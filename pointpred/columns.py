@@ -1,15 +1,20 @@
-"""Tables of records with a name for each column."""
+"""Tables of records with a name for each column, and the same as DataFrames of pandas, which is optional."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import sys
+from collections.abc import Iterator, Mapping
 from operator import index
-from typing import Any, ClassVar, Generic, Self, TypeVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pointpred.errors import EventError
+from pointpred.extras import missing_extra
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 FloatArray = NDArray[np.float64]
 
@@ -23,6 +28,8 @@ class Columns(Generic[Record]):
     """
 
     names: ClassVar[tuple[str, ...]] = ()
+    titles: ClassVar[tuple[str, ...]] = ()
+    """The names with their units, as in files and DataFrames; (): the names."""
 
     def __init__(self, table: ArrayLike) -> None:
         table = numbers_of(table, type(self).__name__)
@@ -63,8 +70,55 @@ class Columns(Generic[Record]):
             return column
         raise AttributeError(f"{type(self).__name__} has no column {name!r}")
 
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.names]
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {len(self)} rows of {', '.join(self.names)}>"
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A ``pandas.DataFrame`` with a column for each name, with its unit, as ``x_px``; NaN stays NaN.
+
+        Raises MissingExtraError where pandas is not installed.
+        """
+        try:
+            import pandas as pd
+        except ImportError as error:
+            raise missing_extra("report", "a DataFrame needs pandas") from error
+        return pd.DataFrame(dict(zip(self.titles or self.names, self.table.T, strict=True)))
+
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.table,)
+
+
+class Frame(Protocol):
+    """What is used of a ``pandas.DataFrame``, so that types need no pandas."""
+
+    @property
+    def columns(self) -> Any:
+        """The names of the columns."""
+        ...
+
+    def __iter__(self) -> Iterator[Any]: ...
+
+
+def is_frame(value: object) -> bool:
+    """Whether a value is a ``pandas.DataFrame``; pandas is not imported for that."""
+    pandas = sys.modules.get("pandas")
+    return pandas is not None and isinstance(value, pandas.DataFrame)
+
+
+def columns_of_frame(frame: pd.DataFrame, names: Mapping[str, str], needed: int) -> dict[str, Any]:
+    """The columns of a DataFrame by our names; ``names``: each with its title, which does as well.
+
+    Raises EventError where one of the first ``needed`` is missing.
+    """
+    found = {name: one for name, title in names.items() for one in (title, name) if one in frame.columns}
+    for name in list(names)[:needed]:
+        if name not in found:
+            known = ", ".join(map(str, frame.columns[:12]))
+            raise EventError(f"a DataFrame needs a column {name} or {names[name]}, received {known}")
+    return {name: frame[column].to_numpy() for name, column in found.items()}
 
 
 def numbers_of(values: ArrayLike, name: str) -> FloatArray:

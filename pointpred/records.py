@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import floor, inf, nan
 from types import NoneType
 from typing import (
+    TYPE_CHECKING,
     Annotated,
     Any,
     Literal,
@@ -26,11 +27,14 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pointpred.columns import Columns, numbers_of
+from pointpred.columns import Columns, columns_of_frame, numbers_of
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError
 from pointpred.parameter import is_number, warn_of_milliseconds
 from pointpred.regions import Region, probability, region_of
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 FloatArray = NDArray[np.float64]
 FloatTable = NDArray[np.float64]
@@ -425,6 +429,7 @@ class EventColumns(Columns[PointerEvent]):
     """Pointer events as columns, with ``begin`` marking the rows before which a stage is reset."""
 
     names = EventRow._fields
+    titles = tuple(field.column for field in EVENT_FIELDS)
 
     def __init__(self, table: ArrayLike, begin: BoolArray | None = None) -> None:
         super().__init__(table)
@@ -465,6 +470,15 @@ class EventColumns(Columns[PointerEvent]):
         return cls(table, begin)
 
     @classmethod
+    def of_frame(cls, frame: pd.DataFrame) -> Self:
+        """Columns from a ``pandas.DataFrame`` with ``t, x, y`` or ``t_s, x_px, y_px``.
+
+        ``dx, dy`` or ``dx_counts, dy_counts``, ``buttons`` and ``begin`` may be there; others are left aside.
+        """
+        names = {**dict(zip(cls.names, cls.titles, strict=True)), "begin": "begin"}
+        return cls.of(**columns_of_frame(frame, names, 3))
+
+    @classmethod
     def of_events(cls, events: Iterable[PointerEvent]) -> Self:
         """Columns from records."""
         return cls(np.array([event_row(event) for event in events], dtype=np.float64).reshape(-1, 6))
@@ -476,6 +490,10 @@ class EventColumns(Columns[PointerEvent]):
     def rows(self, start: int, stop: int) -> Self:
         """The rows from ``start`` up to ``stop``."""
         return self[start:stop]
+
+    def to_pandas(self) -> pd.DataFrame:
+        """As of all columns, with ``begin``."""
+        return super().to_pandas().assign(buttons=self.buttons.astype(np.int64), begin=self.begin)
 
     def _record(self, row: list[float]) -> PointerEvent:
         return event_of(tuple(row))
@@ -513,6 +531,7 @@ class PredictionColumns(Columns[Prediction | None]):
     """Predictions as columns; a row without a prediction is NaN but for ``t`` and the phase."""
 
     names = PredictionRow._fields
+    titles = tuple(field.column for field in PREDICTION_FIELDS)
 
     def predictions(self) -> Iterator[Prediction | None]:
         """The rows as records, ``None`` where nothing was justified."""
@@ -526,6 +545,13 @@ class PredictionColumns(Columns[Prediction | None]):
         none = (np.nan,) * len(RegionColumns.names)
         rows = [none if one is None else (one.x, one.y, one.major, one.minor, one.angle) for one in regions]
         return RegionColumns(np.array(rows, dtype=np.float64).reshape(-1, len(RegionColumns.names)))
+
+    def to_pandas(self) -> pd.DataFrame:
+        """As of all columns, with the phase as a word."""
+        phases: list[str | None] = [
+            PHASES[int(code)] if code == code else None for code in self.phase.tolist()
+        ]
+        return super().to_pandas().assign(phase=np.array(phases, dtype=object))
 
     def _record(self, row: list[float]) -> Prediction | None:
         return prediction_of(tuple(row))

@@ -121,3 +121,7 @@ class SetScore(msgspec.Struct, frozen=True):
     """Columns whose levels are groups of trials."""
     contrast: tuple[str, ...] = ()
     """The two predictors that statistics compares; ``("all",)``: every pair; none: nobody asked."""
+
+    def __repr__(self) -> str:
+        names = ", ".join(one.name for one in self.predictors)
+        return f"<SetScore {self.name}: {len(self.trials)} trials, {len(self.skipped)} skipped; {names}>"

@@ -263,7 +263,7 @@ class Scoring(msgspec.Struct, frozen=True):
     @property
     def ablated(self) -> dict[str, str]:
         """By predictors that are others without their memory of ends and distances: those others."""
-        without = {}
+        without: dict[str, str] = {}
         for name in (name for name, p in self.patterns.items() if isinstance(p, str)):
             if (other := ablation(name)) in self.patterns:
                 without |= {f"{other}{more}": f"{name}{more}" for more in ("", WITH_TARGETS)}

@@ -38,7 +38,7 @@ MAY_IMPORT = {
     "layout": set(),
     "compiled": {"layout"},
     "regions": {"errors"},
-    "columns": {"errors"},
+    "columns": {"errors", "extras"},
     "records": {"errors", "columns", "compiled", "regions", "parameter"},
     "drawing": {"files", "records"},
     "recording": {"errors", "records"},

@@ -163,6 +163,10 @@ class PredictorSummary(msgspec.Struct, frozen=True):
     ablates: str = ""
     """The predictor that this one is without the memory of ends and distances; "" for any other."""
 
+    def __repr__(self) -> str:
+        error = self.time_averaged
+        return f"<PredictorSummary {self.name}: {error.px} px, {_text(error.of_hold)} of the error of hold>"
+
 
 class Repeats(msgspec.Struct, frozen=True):
     """How much of a set somebody can know by memory alone."""
@@ -220,6 +224,11 @@ class SetSummary(msgspec.Struct, frozen=True):
     """Of the pairs that were asked for."""
     repeats: Repeats | None = None
     """``None`` where no predictor learns from one movement to the next."""
+
+    def __repr__(self) -> str:
+        about = f"{self.trials} trials of {self.users} people"
+        errors = ", ".join(f"{one.name} {_text(one.time_averaged.of_hold)}" for one in self.predictors)
+        return f"<SetSummary {self.name}: {about}; of the error of hold: {errors}>"
 
 
 class Unread(msgspec.Struct, frozen=True):
