@@ -174,7 +174,7 @@ class Pipeline:
         nothing is then consumed.
         """
         if isinstance(events, np.ndarray):
-            if want == "last" and self._aim is None:
+            if want == "last" and self._aim is None and self.predictor.joined:
                 last, predictor = self._last or self._bind()[1], self.predictor
                 answer = last(self.differentiator._memory, predictor._memory, events, *predictor.shared)
                 if answer[0] == answer[0]:

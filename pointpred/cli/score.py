@@ -24,6 +24,7 @@ from pointpred.cli.shared_options import (
     Coefficients,
     Threads,
     complete_predictors,
+    tell_others,
     with_coefficients,
 )
 from pointpred.console import remark, remarks
@@ -231,6 +232,7 @@ def predictor_names(text: str) -> list[str]:
     from pointpred.registry import REGISTRY, build, settings_in
 
     if text.strip() == "all":
+        tell_others()
         return list(REGISTRY)
     names = listed([text])
     if not names:

@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
+from pointpred.console import remarks
 from pointpred.errors import ParameterError
 
 PARAMETER = "coefficients"
@@ -14,11 +15,18 @@ PARAMETER = "coefficients"
 
 def complete_predictors(incomplete: str) -> list[str]:
     """What the shell offers for names of predictors, of which ``a,b`` may hold several."""
-    from pointpred.registry import REGISTRY, find_others
+    from pointpred.registry import REGISTRY, others
 
-    find_others()
     begun, comma, last = incomplete.rpartition(",")
-    return [f"{begun}{comma}{name}" for name in REGISTRY if name.startswith(last)]
+    return [f"{begun}{comma}{name}" for name in (*REGISTRY, *others()) if name.startswith(last)]
+
+
+def tell_others() -> None:
+    """Make the predictors of other packages known, and say which cannot be used."""
+    from pointpred.registry import find_others
+
+    for words in find_others():
+        remarks().print(f"left out: {words}", style="red", markup=False)
 
 
 PredictorName = Annotated[

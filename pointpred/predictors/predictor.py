@@ -44,6 +44,8 @@ class Predictor(CompiledStage):
 
     Scoring shows such a predictor a second time, without this memory.
     """
+    joined: ClassVar[bool] = True
+    """Whether it remembers nothing but its memory, so that what was before can be put back."""
     claims_time: ClassVar[bool] = True
     """False where no prediction says the time left: scoring then needs no clock to compare with."""
 
