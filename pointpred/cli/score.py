@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from itertools import starmap
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,6 +14,7 @@ from pointpred.cli.output_files import Force, Numbers, check_targets, write_json
 from pointpred.cli.reading_options import (
     Reasons,
     as_given,
+    check_exists,
     in_memory,
     in_memory_or_stored,
     leave_out,
@@ -39,6 +42,8 @@ if TYPE_CHECKING:
 
 WORST = 6
 """Trials with the largest errors that a report draws of each set."""
+TABLE = re.compile(r"([^:=]+)=(.+)")
+"""A table of predictions under a name, as r=predictions.csv."""
 OUTSIDE = ("checkpoints", "cluster")
 """Fields of errors that no recording is to blame for."""
 
@@ -58,7 +63,7 @@ def score(
         str,
         typer.Option(
             help="Names separated by commas, or 'all'; 'hold' is always among them. Values are set behind a "
-            "name, after colons: kinematic-adaptive:places=0",
+            "name, after colons: kinematic-adaptive:places=0; a table of predictions is NAME=FILE.",
             autocompletion=complete_predictors,
         ),
     ] = "all",
@@ -133,14 +138,17 @@ def score(
 
       pointpred score --predictors kinematic,switched:delay_s=0.02 --contrast kinematic,hold
 
+      pointpred score study.csv --predictors kinematic,mine=predictions.csv
+
       pointpred score session.csv --json - | jq '.sets[0].predictors'
 
       pointpred score --targets --predictors minimum-jerk
 
       pointpred score million_samples.parquet --predictors switched --checkpoints done --cluster local
     """
-    names = predictor_names(predictors)
-    check_targets({"--json": json, "--report": report, "--trials": trials}, files or (), force)
+    names, tables = predictor_names(predictors)
+    inputs = [*(files or ()), *tables.values()]
+    check_targets({"--json": json, "--report": report, "--trials": trials}, inputs, force)
     parameters = with_coefficients(names, coefficients)
     reasons: Reasons = {}
     if report is not None:
@@ -149,6 +157,7 @@ def score(
     from pointpred.scoring import Document
     from pointpred.scoring.chunks import score_in_chunks
     from pointpred.scoring.executors import open_executor
+    from pointpred.scoring.predictions import predicted
     from pointpred.scoring.scorer import scoring_with, with_ablations
     from pointpred.scoring.summary.document import VERSION
     from pointpred.scoring.target_choice import TargetDocument, score_targets, summarise_targets
@@ -157,7 +166,8 @@ def score(
     if trials is not None:
         check_trials_file(trials)
     scoring = scoring_with(
-        with_ablations(names), parameters=parameters, cpi=cpi, dpi=dpi, targets=targets,
+        [*with_ablations(names), *starmap(predicted, tables.items())],
+        parameters=parameters, cpi=cpi, dpi=dpi, targets=targets,
         where=where, by=listed(by or []), contrast=listed([contrast]),
     )  # fmt: skip
     sets, drawn, choices = [], [], []
@@ -165,7 +175,7 @@ def score(
         open_executor(threads=threads, cluster=cluster) as executor,
         following(events=True) as progress,
     ):
-        for source in _sources(files, reading, reasons, whole=targets):
+        for source in _sources(files, reading, reasons, whole=targets or bool(tables)):
             try:
                 scored = score_in_chunks(
                     source, scoring, executor, checkpoints=checkpoints, progress=progress
@@ -227,21 +237,27 @@ def listed(texts: list[str]) -> list[str]:
     return list(dict.fromkeys(part.strip() for text in texts for part in text.split(",") if part.strip()))
 
 
-def predictor_names(text: str) -> list[str]:
-    """The predictors named in ``a,b`` or ``all``; raises ParameterError for an unknown or an empty list."""
+def predictor_names(text: str) -> tuple[list[str], dict[str, Path]]:
+    """The predictors named in ``a,b`` or ``all``, and tables of predictions as ``c=FILE``.
+
+    Raises ParameterError for an unknown name, a file that is not there, and an empty list.
+    """
     from pointpred.registry import REGISTRY, build, settings_in
 
     if text.strip() == "all":
         tell_others()
-        return list(REGISTRY)
-    names = listed([text])
-    if not names:
+        return list(REGISTRY), {}
+    every = listed([text])
+    tables = {found[1].strip(): Path(found[2].strip()) for one in every if (found := TABLE.match(one))}
+    names = [one for one in every if not TABLE.match(one)]
+    check_exists(list(tables.values()))
+    if not every:
         message = f"--predictors needs names separated by commas or 'all', received {text!r}"
         raise ParameterError(message, field="predictors", value=text)
     for name in names:
         known, settings = settings_in(name)
         build(known, **settings)
-    return names
+    return names, tables
 
 
 def _sample() -> Iterator[Recording]:

@@ -33,7 +33,7 @@ from pointpred.scoring.scorer import (
     with_trials,
     worst_of,
 )
-from pointpred.scoring.selection import check_selection, counted
+from pointpred.scoring.selection import counted
 from pointpred.scoring.summary import SetSummary, summarise_parts
 from pointpred.scoring.trials import durations_s
 
@@ -207,9 +207,9 @@ def score_in_chunks(
     being done, the events done and all events. Raises RecordingError where a stored recording cannot be
     read or none of its trials counts, ParameterError where ``checkpoints`` cannot be written or be read back.
     """
-    whole = about(source)
     if isinstance(source, Recording):
-        check_selection(source.trials, scoring.where, scoring.by)
+        source = scoring.checked(source)
+    whole = about(source)
     pipelines = scoring.pipelines(whole)
     chunks = plan(source, pipelines)
     store = _store(source, scoring, chunks, checkpoints)

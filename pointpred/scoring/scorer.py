@@ -20,6 +20,7 @@ from pointpred.records import BoolArray
 from pointpred.registry import ablation, build, settings_in
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.measures.trial_measures import Claimed, TrialMeasures
+from pointpred.scoring.predictions import PredictedElsewhere
 from pointpred.scoring.replay import (
     GivenTargets,
     Measured,
@@ -124,9 +125,10 @@ def set_without_trials(
             continue
         events = sum(one.events[place] for one in outcomes)
         seconds = sum(one.seconds[place] for one in outcomes)
+        timed = events > 0 and not isinstance(pipeline, PredictedElsewhere)
         errors = TrialMeasures.empty(0).predictor_errors(
             pipeline.name,
-            1e6 * seconds / events if events else float("nan"),
+            1e6 * seconds / events if timed else float("nan"),
             tuple(skip for one in outcomes for skip in one.failed[place]),
             reduce(or_, (one.claimed[place] for one in outcomes), NO_CLAIM),
         )
@@ -278,10 +280,17 @@ class Scoring(msgspec.Struct, frozen=True):
         for name, p in self.patterns.items():
             pipeline = p if isinstance(p, Pipeline) else self._build(name, p, settings)
             pipelines[name] = pipeline
-            if self.targets:
+            if self.targets and not isinstance(pipeline, PredictedElsewhere):
                 given = given_targets(pipeline)
                 pipelines[given.name] = given
         return pipelines
+
+    def checked(self, recording: Recording) -> Recording:
+        """A recording with notes, before it is scored; raises for what does not fit it."""
+        check_selection(recording.trials, self.where, self.by)
+        tables = (one for one in self.patterns.values() if isinstance(one, PredictedElsewhere))
+        notes = [note for one in tables for note in one.check(recording)]
+        return msgspec.structs.replace(recording, notes=(*recording.notes, *notes))
 
     def masks(
         self, name: str, parts: Callable[[], Iterable[Sequence[ScoredTrial]]]
@@ -407,8 +416,8 @@ def _score(
     recording: Recording, scoring: Scoring, threads: int | None, progress: Progress | None, worst: int
 ) -> SetScore:
     """Score one recording, as the only part of its set."""
-    check_selection(recording.trials, scoring.where, scoring.by)
     pipelines = scoring.pipelines(recording)
+    recording = scoring.checked(recording)
     prepared = scoring.prepare(recording, threads)
     total, events_done = len(prepared.events) * len(pipelines), 0
 

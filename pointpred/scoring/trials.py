@@ -324,7 +324,7 @@ def prepare(
     >>> trial.onset_s, trial.distance_px, round(trial.arrival_s, 9), trial.events
     (0.1, 99.0, 0.2, 3)
     """
-    cuts = _cuts(recording)
+    cuts = cuts_of(recording)
     good = np.flatnonzero(cuts[:, VERDICT] == GOOD)
     onset, stop = cuts[good, ONSET], cuts[good, STOP]
     offsets = np.concatenate([[0], np.cumsum(stop - onset)]).astype(np.int64)
@@ -359,14 +359,14 @@ def prepare(
 
 def durations_s(recording: Recording) -> FloatArray:
     """The times from onset to arrival of the trials that can be scored, s: what ``prepare`` finds of them."""
-    cuts, t = _cuts(recording), recording.events.t
+    cuts, t = cuts_of(recording), recording.events.t
     good = cuts[cuts[:, VERDICT] == GOOD]
     spans: FloatArray = t[good[:, ARRIVAL]] - t[good[:, ONSET]]
     return spans
 
 
-def _cuts(recording: Recording) -> Cuts:
-    """Where each trial begins, ends and arrives, a row a trial."""
+def cuts_of(recording: Recording) -> Cuts:
+    """Where each trial begins, ends and arrives, a row a trial, as ``cut`` writes it."""
     cuts = np.empty((len(recording.trials), CUTS), dtype=np.int64)
     cut(recording.events.table, recording.offsets, cuts)
     return cuts
