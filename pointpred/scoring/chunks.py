@@ -33,7 +33,7 @@ from pointpred.scoring.scorer import (
     with_trials,
     worst_of,
 )
-from pointpred.scoring.selection import counted
+from pointpred.scoring.selection import check_names, counted, names_of
 from pointpred.scoring.summary import SetSummary, summarise_parts
 from pointpred.scoring.trials import durations_s
 
@@ -228,6 +228,9 @@ def score_in_chunks(
     if checkpoints is not None:
         untimed = (msgspec.structs.replace(one, us_per_event=float("nan")) for one in scores.predictors)
         scores = msgspec.structs.replace(scores, predictors=tuple(untimed))
+    if scoring.by and not isinstance(source, Recording):
+        numbers = range(len(chunks))
+        check_names(scoring.by, names_of(one for k in numbers for one in store.part(k).trials), "by")
     masks = scoring.masks(source.name, lambda: (store.part(k).trials for k in range(len(chunks))))
     scores = msgspec.structs.replace(scores, notes=(*scores.notes, *scoring.about_masks(masks)))
     return ScoredSet(scores, chunks, store, scoring, pipelines, masks)

@@ -87,7 +87,7 @@ def levels_of(name: str, labels: Iterable[str]) -> list[str]:
     levels = sorted(set(labels), key=_place)
     if len(levels) > MOST_LEVELS:
         message = f"by: {name} has {len(levels)} values, at most {MOST_LEVELS} can be shown apart"
-        raise ParameterError(f"{message}; a rule such as 'where {name} < 300' picks some", field="by")
+        raise ParameterError(f"{message}; 'where' picks some trials", field="by", value=name)
     return levels
 
 
@@ -269,7 +269,10 @@ def check_selection(trials: Sequence[Trial], where: Where | None, by: Sequence[s
     names = names_of(unscored)
     check_names(by, names, "by")
     if where is not None:
-        where.mask(unscored, names)
+        mask = where.mask(unscored, names)
+        unscored = [one for one, kept in zip(unscored, mask.tolist(), strict=True) if kept]
+    for name in by:
+        levels_of(name, (label(known_of(one).get(name)) for one in unscored))
 
 
 def counted(score: SetScore, mask: BoolArray | None) -> SetScore:
