@@ -47,6 +47,7 @@ SETTINGS: dict[Any, Any] = {
     "grid.color": FAINT,
     "lines.linewidth": 1.8,
     "lines.markersize": 4.5,
+    "pdf.fonttype": 42,
     "svg.fonttype": "none",
     "svg.hashsalt": "pointpred",
     "text.color": INK,
@@ -61,17 +62,28 @@ FOLLOW = (
 
 
 class Picture(msgspec.Struct, frozen=True):
-    """A figure: SVG text, what it shows in words, and the caption below it."""
+    """A figure: SVG text, what it shows in words, the caption below it, and matplotlib's figure."""
 
     svg: str
     alt: str
     caption: str
-    wide: bool = False
+    wide: bool
+    figure: Any
 
     @property
     def url(self) -> str:
         """The figure as a link that holds it."""
         return f"data:image/svg+xml;base64,{base64.b64encode(self.svg.encode()).decode()}"
+
+    def pdf(self) -> bytes:
+        """The figure as PDF, on white, letters as fonts; the same bytes for the same content."""
+        import matplotlib
+
+        stream = io.BytesIO()
+        with matplotlib.rc_context(SETTINGS):
+            about = dict.fromkeys(("CreationDate", "Creator", "Producer"))
+            self.figure.savefig(stream, format="pdf", facecolor="white", metadata=about)
+        return stream.getvalue()
 
 
 @contextmanager
@@ -96,7 +108,7 @@ def picture(figure: Figure, alt: str, caption: str, *, wide: bool = False) -> Pi
     svg = stream.getvalue()
     svg = svg[svg.index("<svg") :].replace(INK, "currentColor")
     end = svg.index(">") + 1
-    return Picture(svg[:end] + FOLLOW + svg[end:], alt, caption, wide)
+    return Picture(svg[:end] + FOLLOW + svg[end:], alt, caption, wide, figure)
 
 
 def written(figure: Figure, target: Path, caption: str) -> None:

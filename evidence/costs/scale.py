@@ -32,8 +32,8 @@ from evidence.machine import machine
 from pointpred.datasets import sample
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Trial
-from pointpred.recordings.arrow_tables import KEY, open_file
-from pointpred.recordings.own import trials_beside
+from pointpred.recordings.arrow_tables import open_file
+from pointpred.recordings.own import KEY, trials_beside
 from pointpred.recordings.stored import StoredRecording, stored
 from pointpred.recordings.writing import files_of, samples_table, trial_table, write_together
 from pointpred.records import EventColumns

@@ -24,17 +24,97 @@ PAUSE_S = 0.3
 
 
 def delimited(path: Path, *, t: str, x: str, y: str, per_second: float | str, **options: Any) -> pd.DataFrame:
-    """Plain text, a row a sample; ``per_second`` is "iso" where the cells are dates."""
-    user, trial, cut = (options.pop(name, "") for name in ("user", "trial", "cut"))
+    """Plain text, a row a sample; ``per_second`` is "iso" where the cells are dates.
+
+    A row with a cell in the column ``further`` is too long and none; ``pair`` holds x and y in one cell.
+    """
+    user, trial, cut, further, pair = (
+        options.pop(name, "") for name in ("user", "trial", "cut", "further", "pair")
+    )
     options |= {"header": None} if "names" in options else {}
     table = pd.read_csv(path, dtype=str, **options)
+    if pair:
+        table[[x, y]] = table[pair].str.extract(r"(-?[\d.]+), *(-?[\d.]+)")
+    if further:
+        table.loc[table[further].notna(), [x, y]] = np.nan
     return _samples(path, table, (t, x, y), per_second, user, trial, cut)
 
 
-def objects(path: Path, *, t: str, x: str, y: str, per_second: float, cut: str) -> pd.DataFrame:
-    """JSON: an array of objects, one a sample."""
+def pairs(path: Path, *, per_second: float) -> pd.DataFrame:
+    """A hook's log: what happened; when; where as ``(x, y)``, or the name of a key. A late row is sorted."""
+    table = pd.read_csv(path, sep=";", names=["what", "t", "place"])
+    places = table["place"].str.extract(r"\((-?\d+), (-?\d+)\)").astype(float)
+    rows = pd.DataFrame({"row": table.index, "t": table["t"] / per_second, "x": places[0], "y": places[1]})
+    rows["user"], rows["trial"] = _stem(path), ""
+    rows["part"] = (rows["t"].diff() < -1.0).cumsum()
+    rows = rows.assign(what=table["what"]).sort_values(["part", "t"], kind="stable", ignore_index=True)
+    held = [
+        rows["what"].map({f"mouse {button} down": True, f"mouse {button} up": False}).ffill().eq(True)
+        for button in ("left", "right")
+    ]
+    placed = rows["x"].notna()
+    rows.loc[placed, "trial"] = _at_clicks((held[0] | held[1])[placed], rows["part"][placed])
+    return rows[COLUMNS]
+
+
+def pynput(path: Path) -> pd.DataFrame:
+    """A log of pynput's listeners without releases: a press lasts for its line; keys and wheel are none."""
+    text = path.read_text(encoding="cp1252")
+    line = re.compile(r"^(.{19}),(\d{3}): Mouse (moved to|clicked at) \((\d+), (\d+)\)", re.MULTILINE)
+    rows = pd.DataFrame(line.findall(text), columns=["date", "ms", "what", "x", "y"])
+    rows["t"] = (pd.to_datetime(rows["date"]) - pd.Timestamp(0)).dt.total_seconds() + rows["ms"].astype(
+        int
+    ) / 1e3
+    rows["t"] -= rows["t"][0]
+    rows["trial"] = _at_clicks(rows["what"] == "clicked at", 0)
+    rows = rows.assign(row=rows.index, user=_stem(path))
+    return rows[COLUMNS].astype({"x": float, "y": float})
+
+
+def rrweb(path: Path) -> pd.DataFrame:
+    """rrweb: positions of the mouse, each with an offset, and presses and releases, sorted by time."""
+    parts = []
+    for event in json.loads(path.read_text(encoding="utf-8")):
+        data, time = event["data"], event["timestamp"]
+        if event["type"] == 3 and data["source"] == 1:
+            parts += [(time + one["timeOffset"], one["x"], one["y"], None) for one in data["positions"]]
+        elif event["type"] == 3 and data["source"] == 2 and data["type"] in (0, 1):
+            parts.append((time, data["x"], data["y"], data["type"] == 1))
+    rows = pd.DataFrame(parts, columns=["t", "x", "y", "down"]).sort_values(
+        "t", kind="stable", ignore_index=True
+    )
+    rows["trial"] = _at_clicks(rows["down"].ffill().eq(True), 0)
+    rows = rows.assign(row=rows.index, user=_stem(path), t=(rows["t"] - rows["t"][0]) / 1000)
+    return rows[COLUMNS].astype({"x": float, "y": float})
+
+
+def tracks(
+    path: Path, *, t: str, x: str, y: str, per_second: float, points: str = "", y_up: bool = False
+) -> pd.DataFrame:
+    """JSON: an array of objects, a trial each, of lists; or of one list ``points``, of lists or objects."""
+    parts = []
+    for row, one in enumerate(json.loads(path.read_text(encoding="utf-8"))):
+        if points and points not in one:
+            continue
+        track = pd.DataFrame(one[points] if points else {name: one[name] for name in (t, x, y)})
+        track = track.rename(columns=str)[[t, x, y]].set_axis(["t", "x", "y"], axis=1)
+        track["t"] = (track["t"] - track["t"].iloc[0]) / per_second
+        parts.append(track.assign(y=-track["y"] if y_up else track["y"], trial=str(row), row=row))
+    rows = pd.concat(parts, ignore_index=True)
+    return rows.assign(user=_stem(path))[COLUMNS].astype({"x": float, "y": float})
+
+
+def objects(
+    path: Path, *, t: str, x: str, y: str, per_second: float, cut: str = "", **button: Any
+) -> pd.DataFrame:
+    """JSON: an array of objects, one a sample; cut at clicks by a ``button``: column, press and release."""
     table = pd.DataFrame(json.loads(path.read_text(encoding="utf-8")))
-    return _samples(path, table, (t, x, y), per_second, "", "", cut)
+    rows = _samples(path, table, (t, x, y), per_second, "", "", cut)
+    if button:
+        happened = table[button["column"]].map({button["press"]: True, button["release"]: False})
+        placed = rows["x"].notna()
+        rows.loc[placed, "trial"] = _at_clicks(happened.ffill().eq(True)[placed], 0)
+    return rows
 
 
 def lists(
@@ -46,7 +126,7 @@ def lists(
     for row, cells in enumerate(table.to_dict("records")):
         series = [_numbers(str(cells[name])) for name in (t, x, y)]
         part = pd.DataFrame(dict(zip("txy", series, strict=True)))
-        part["user"] = cells[user] if user else path.name.split(".")[0]
+        part["user"] = cells[user] if user else _stem(path)
         part["trial"], part["row"] = cells[trial] if trial else str(row), row
         part["t"] = (part["t"] - part["t"].iloc[:1].sum()) / per_second  # stamps since 1970 keep their digits
         parts.append(part)
@@ -63,7 +143,7 @@ def mousetrap(path: Path) -> pd.DataFrame:
             named = ("timestamps_", "xpos_", "ypos_")
             series = [_numbers(cells[prefix + item]) for prefix in named]
             part = pd.DataFrame(dict(zip("txy", series, strict=True)))
-            part["user"], part["row"] = cells["subject_nr"], row
+            part["user"], part["row"] = cells.get("subject_nr", _stem(path)), row
             part["trial"] = str(row) if len(items) == 1 else f"{row} {item}"
             parts.append(part)
     rows = pd.concat(parts, ignore_index=True)
@@ -96,10 +176,10 @@ def gofitts(path: Path) -> pd.DataFrame:
     return rows.assign(t=rows["t"] / 1000)[COLUMNS]
 
 
-def balabit(path: Path, *, user: str) -> pd.DataFrame:
+def balabit(path: Path, *, user: str, per_second: float = 1) -> pd.DataFrame:
     """Balabit: from the release of a button to the next press; wheel rows belong to no trial."""
     table = pd.read_csv(path, skipinitialspace=True)
-    table = table.assign(row=table.index, t=table["client timestamp"], user=user)
+    table = table.assign(row=table.index, t=table["client timestamp"] / per_second, user=user)
     moved = table[table["button"] != "Scroll"].copy()
     down = pd.DataFrame(
         {
@@ -107,11 +187,7 @@ def balabit(path: Path, *, user: str) -> pd.DataFrame:
             for name in ("Left", "Right", "Middle")
         }
     ).any(axis=1)
-    before = down.shift(fill_value=False)
-    press, release = down & ~before, ~down & before
-    piece = release.cumsum().where(~down | press)
-    piece[piece > piece[press].max()] = np.nan  # no click ends it
-    table["trial"] = _numbered(piece).reindex(table.index, fill_value="")
+    table["trial"] = _at_clicks(down, 0).reindex(table.index, fill_value="")
     return table[COLUMNS].astype({"x": float, "y": float})
 
 
@@ -134,6 +210,40 @@ def evemu(path: Path) -> pd.DataFrame:
     rows = frames[["row", "t"]].join(used).assign(user="unknown", trial="").reset_index(drop=True)
     rows.loc[rows["x"].notna(), "trial"] = _cut(rows.dropna(), "bursts")
     return rows[COLUMNS]
+
+
+def touches(path: Path, *, line: str, base: int) -> pd.DataFrame:
+    """A touch screen by evtest or getevent: the first contact until it is lifted, which is a sample more.
+
+    ``line`` finds the stamp, the code and the value, in the ``base``, of an event.
+    """
+    events = re.findall(line, path.read_text(encoding="utf-8"), re.MULTILINE)
+    parts, listed = [], []
+    current, place, number, first, part = {}, None, None, 0, 0
+    for row, (stamp, code, value) in enumerate(events):
+        if code in ("ABS_MT_TRACKING_ID", "ABS_MT_POSITION_X", "ABS_MT_POSITION_Y"):
+            current[code[7:]] = int(value, base)
+        elif code == "SYN_MT_REPORT":
+            listed.append(current)
+            current = {}
+        elif code == "SYN_REPORT":
+            there = {
+                one["TRACKING_ID"]: one for one in listed or [current] if one.get("TRACKING_ID", -1) >= 0
+            }
+            current = {} if listed else current
+            new = there.get(number) if number is not None else None
+            lifted = number is not None and new is None
+            if new is None and there and not lifted:
+                number, new = next(iter(there.items()))
+            if lifted or (new is not None and (new["POSITION_X"], new["POSITION_Y"]) != place):
+                place = place if lifted else (new["POSITION_X"], new["POSITION_Y"])
+                parts.append((first, float(stamp), *place, part))
+            if lifted:
+                number, place, part = None, None, part + 1
+            listed, first = [], row + 1
+    rows = pd.DataFrame(parts, columns=["row", "t", "x", "y", "part"]).assign(user="unknown", trial="")
+    rows["trial"] = _cut(rows, "bursts")
+    return rows[COLUMNS].astype({"x": float, "y": float})
 
 
 def hid(path: Path, *, layout: str, motion: Sequence[int]) -> pd.DataFrame:
@@ -181,6 +291,10 @@ LAYOUTS: dict[str, Callable[..., pd.DataFrame]] = {
     layout.__name__: layout
     for layout in (
         delimited,
+        pairs,
+        pynput,
+        rrweb,
+        tracks,
         objects,
         lists,
         mousetrap,
@@ -188,11 +302,17 @@ LAYOUTS: dict[str, Callable[..., pd.DataFrame]] = {
         gofitts,
         balabit,
         evemu,
+        touches,
         hid,
         matlab,
         xdf,
     )
 }
+
+
+def _stem(path: Path) -> str:
+    """What a user is called where the file names none."""
+    return Path(path.name.removesuffix(".gz")).stem
 
 
 def _samples(
@@ -208,12 +328,12 @@ def _samples(
     rows = pd.DataFrame({"row": np.arange(len(table))})
     rows["x"], rows["y"] = pd.to_numeric(table[names[1]]), pd.to_numeric(table[names[2]])
     if per_second == "iso":
-        times = pd.to_datetime(table[names[0]])
+        times = pd.to_datetime(table[names[0]], format="ISO8601")
         rows["t"] = (times - times.iloc[0]).dt.total_seconds()
     else:
         exact = table[names[0]].map(lambda cell: Decimal(str(cell)))
         rows["t"] = (exact - exact.iloc[0]).map(float) / float(per_second)
-    rows["user"] = table[user].fillna("").str.strip() if user else path.name.split(".")[0]
+    rows["user"] = table[user].fillna("").str.strip() if user else _stem(path)
     rows["trial"] = table[trial].fillna("").str.strip() if trial else ""
     if trial:
         rows["trial"] = _restarted(rows)
@@ -240,6 +360,7 @@ def _cut(rows: pd.DataFrame, how: str) -> pd.Series:
     named = pd.Series("", index=rows.index)
     for _, mine in rows.groupby("user", sort=False):
         part = (mine["t"].diff() < 0).cumsum()
+        part = part + mine["part"] if "part" in mine else part  # a contact each
         pieces = []
         for number, some in mine.groupby(part):
             moves = some[(some["x"].diff() != 0) | (some["y"].diff() != 0)]
@@ -249,6 +370,16 @@ def _cut(rows: pd.DataFrame, how: str) -> pd.Series:
             pieces.append(inside + number * (len(rows) + 1.0))
         named.update(_numbered(pd.concat(pieces)))
     return named
+
+
+def _at_clicks(down: pd.Series, part: pd.Series | int) -> pd.Series:
+    """The trial of each row: from a release, or where a ``part`` begins, to the next press."""
+    keys = pd.Series(part, index=down.index)
+    before = down.groupby(keys).shift(fill_value=False)
+    press, release = down & ~before, ~down & before
+    piece = (release | (keys.diff() > 0)).cumsum().where(~down | press)
+    ended = piece.groupby(keys).transform(lambda some: some <= some[press.reindex(some.index)].max())
+    return _numbered(piece.where(ended))
 
 
 def _numbered(piece: pd.Series) -> pd.Series:

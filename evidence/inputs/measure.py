@@ -31,7 +31,8 @@ from pointpred.recording import Recording
 from pointpred.recordings import read_any
 from pointpred.recordings.reading import Reading
 
-ROWS = re.compile(r"rows (\d+) to (\d+)")
+ROWS = re.compile(r"rows? (\d+)(?: to (\d+))?")
+MORE = re.compile(r"(\d+) more rows")
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?")
 NOTE = re.compile(
     r"(?:.*: )?((?:wheel |further )?(?:rows|frames|reports|samples)\b[^:]*left (?:out|aside)): (\d+)"
@@ -90,16 +91,17 @@ def _left(rows: pd.DataFrame, out: np.ndarray, recording: Recording) -> dict[str
             remaining[at] = False
     for skip in recording.skipped:
         if span := ROWS.fullmatch(skip.trial):
-            mine = remaining & (number >= int(span[1])) & (number <= int(span[2]))
+            mine = remaining & (number >= int(span[1])) & (number <= int(span[2] or span[1]))
             mine &= skip.user in (None, "unknown") or (user == skip.user)
             left[skip.reason] += int(mine.sum())
             remaining &= ~mine
     rest = int(remaining.sum())
-    for note in recording.notes:
-        if match := NOTE.match(note):
-            count = min(rest, int(match[2]))
-            left[match[1]] += count
-            rest -= count
+    counted = [(one.reason, more[1]) for one in recording.skipped if (more := MORE.fullmatch(one.trial))]
+    counted += [(match[1], match[2]) for note in recording.notes if (match := NOTE.match(note))]
+    for reason, rows in counted:
+        count = min(rest, int(rows))
+        left[reason] += count
+        rest -= count
     return _alike(left)
 
 

@@ -39,6 +39,8 @@ GROUP = "pointpred.commands"
 """The entry points of commands: of the distributions installed beside this one."""
 COMMANDS = {
     "score": "Score predictors on recordings, compared with making no prediction.",
+    "measures": "Measure recorded movements: times, speeds, paths, sub-movements, accuracy, errors and "
+    "throughput.",
     "train": "Fit the coefficients of 'kinematic' to your own recordings, and score them beside the shipped "
     "ones.",
     "simulate": "Write a recording of simulated people pointing at targets on a circle.",

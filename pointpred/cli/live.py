@@ -13,15 +13,13 @@ from pointpred.cli.reading_options import (
     TRIAL,
     as_given,
     one_recording,
-    options_in,
     print_skipped,
     speed_of,
     to_read,
-    with_reading,
 )
 from pointpred.cli.shared_options import Coefficients, PredictorName, with_coefficients
 from pointpred.errors import ParameterError
-from pointpred.recordings.reading import Reading
+from pointpred.recordings.reading import AS_IS
 from pointpred.records import CPI, DPI
 from pointpred.registry import RECOMMENDED
 
@@ -33,7 +31,6 @@ REPLAY = "Without a device"
 DPI_USUAL = 96.0
 
 
-@with_reading
 def live(
     device: Annotated[
         str | None,
@@ -111,14 +108,13 @@ def live(
             metavar="FILE",
             callback=to_read,
             parser=as_given,
-            help="Play this recording instead of reading a mouse; 'sample': the embedded one.",
+            help="Play this recording instead of reading a mouse; 'sample': the embedded one. Formats that "
+            "need options: 'pointpred convert' first.",
             rich_help_panel=REPLAY,
         ),
     ] = None,
     trial: Annotated[list[str] | None, typer.Option(help=TRIAL, rich_help_panel=REPLAY)] = None,
     speed: Annotated[str | None, typer.Option(help=f"{SPEED} Not given: 1.", rich_help_panel=REPLAY)] = None,
-    *,
-    reading: Reading,
 ) -> None:
     """Predict where the mouse attached to this machine is heading, while it moves.
 
@@ -176,9 +172,9 @@ def live(
         )
 
     if replay is None:
-        for name, value in (("trial", trial), ("speed", speed), *options_in(reading)):
-            if value is not None and name not in ("cpi", "dpi"):
-                raise ParameterError(f"--{name.replace('_', '-')} needs --replay", field=name)
+        if trial is not None or speed is not None:
+            field = "speed" if trial is None else "trial"
+            raise ParameterError(f"--{field} needs --replay", field=field)
         from pointpred.cli.counts_per_inch import counts_per_inch
         from pointpred.live.follow import DeviceOptions, follow_device
 
@@ -202,7 +198,7 @@ def live(
     from pointpred.live.replay import follow_replay
 
     pace = speed_of(speed or "1")
-    recording = one_recording(replay, reading)
+    recording = one_recording(replay, AS_IS)
     trials, skipped = playable_trials(recording, trial or ())
     print_skipped(skipped)
     about = recording.provenance

@@ -25,7 +25,6 @@ Numbers = Annotated[
     typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
 ]
 """Where the numbers that are printed go as JSON."""
-TRIAL_TABLE = b'"set","unit","user","trial",'
 PLANTS_AND_DESIGNS = "pointpred observers"
 """The "format" of the files of pointpred-observers, which no result replaces."""
 
@@ -87,7 +86,7 @@ def check_targets(targets: dict[str, Path | None], inputs: Sequence[Path], force
             raise ParameterError(
                 f"{option} {target} would replace a file that this command reads; name another file"
             )
-        if target.is_file() and _is_recording(target) and not _is_trial_table(target):
+        if target.is_file() and _is_recording(target):
             raise ParameterError(f"{option} {target} would replace a recording; name another file")
         if option == "--json" and target.is_file() and _is_plant_or_design(target):
             raise ParameterError(f"{option} {target} would replace a plant or a design; name another file")
@@ -109,15 +108,18 @@ def _is_recording(path: Path) -> bool:
 
     try:
         form = format_of(path)
-        return form is not None and (not form.tabular or form.key == "delimited")
+        if form is not None and form.key == "delimited":
+            return not _is_table_of_trials(path)
+        return form is not None and not form.tabular
     except RecordingError:  # empty or not to be read: no recording is lost
         return False
 
 
-def _is_trial_table(path: Path) -> bool:
-    """Whether a file is what ``score --trials`` wrote, which holds no samples."""
+def _is_table_of_trials(path: Path) -> bool:
+    """Whether a table is one of ``measures`` or ``score --trials``, by its heading: it holds no samples."""
     with path.open("rb") as file:
-        return file.read(len(TRIAL_TABLE)) == TRIAL_TABLE
+        heading = file.readline()
+    return b"movement_time_s" in heading or b"time_averaged_px" in heading
 
 
 class _Formatted(msgspec.Struct):

@@ -29,7 +29,7 @@ from pointpred.cli.options import option, with_options
 from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.recording import Recording, kinds_of
-from pointpred.recordings.reading import AS_IS, Reading, columns_of, px_per_unit_of
+from pointpred.recordings.reading import Reading, columns_of, px_per_unit_of
 
 if TYPE_CHECKING:
     from pointpred.cli.progress import Advance
@@ -163,12 +163,6 @@ def reading(**options: Any) -> Reading:
     return Reading(
         **{name: PARSED[name](value) if name in PARSED else value for name, value in given.items()}
     )
-
-
-def options_in(reading: Reading) -> list[tuple[str, object]]:
-    """The options that differ from their defaults, by the name of their parameter."""
-    values = [(name, getattr(reading, name)) for name in reading.__struct_fields__]
-    return [(name, value) for name, value in values if value != getattr(AS_IS, name)]
 
 
 def _options() -> Iterator[Parameter]:

@@ -69,7 +69,12 @@ def score(
     ] = "all",
     json: Numbers = None,
     report: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write a report as one HTML file.")
+        Path | None,
+        typer.Option(
+            metavar="FILE|FOLDER",
+            help="Write a report as one HTML file; to a folder (a name without .html), with every figure as "
+            "SVG and PDF and every table as CSV and LaTeX.",
+        ),
     ] = None,
     trials: Annotated[
         Path | None,
@@ -132,6 +137,8 @@ def score(
 
       pointpred score *.sd3 --report out.html
 
+      pointpred score study_samples.parquet --report paper
+
       pointpred score my.csv --columns t=time,x=px,y=py,user=sid,trial=n --time-unit ms
 
       pointpred score study.csv --where 'phase != practice' --by width --trials scored.csv
@@ -147,8 +154,9 @@ def score(
       pointpred score million_samples.parquet --predictors switched --checkpoints done --cluster local
     """
     names, tables = predictor_names(predictors)
+    page = report / "report.html" if report is not None and report.is_dir() else report
     inputs = [*(files or ()), *tables.values()]
-    check_targets({"--json": json, "--report": report, "--trials": trials}, inputs, force)
+    check_targets({"--json": json, "--report": page, "--trials": trials}, inputs, force)
     parameters = with_coefficients(names, coefficients)
     reasons: Reasons = {}
     if report is not None:

@@ -17,7 +17,7 @@ from pointpred.protocol.client_messages import Hello, cpi_of, dpi_of
 from pointpred.recorder.files import SessionFiles
 from pointpred.recorder.writer import Recorder, about_of
 from pointpred.recording import Provenance
-from pointpred.recordings.appended import LIVE
+from pointpred.recordings.own import LIVE
 from pointpred.records import EventColumns, Pair, PredictionColumns, prediction_row
 from pointpred.transfer import GainCurve, TransferLearner, save_transfer
 

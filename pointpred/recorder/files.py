@@ -16,13 +16,12 @@ import pyarrow as pa
 import pyarrow.csv as pacsv
 
 from pointpred.protocol.client_messages import Conditions
-from pointpred.recordings.appended import SAMPLES, TRIALS
-from pointpred.recordings.arrow_tables import MARK
+from pointpred.recordings.own import MARK, RECORDED, RECORDED_TRIALS
 from pointpred.records import EVENT_FIELDS, PHASES, PREDICTION_FIELDS, FloatArray
 
 COLUMNS = {
-    "samples": SAMPLES,
-    "trials": TRIALS,
+    "samples": RECORDED,
+    "trials": RECORDED_TRIALS,
     "predictions": (*(field.column for field in PREDICTION_FIELDS), "predictor", "parameters"),
 }
 FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND

@@ -24,7 +24,7 @@ from pointpred.protocol.client_messages import Conditions, Goal, Hello, cpi_of, 
 from pointpred.recorder.files import SessionFiles, Write, prediction_rows, sample_rows, trial_row, warm_rows
 from pointpred.recorder.recordings import name_of, prepare
 from pointpred.recording import Provenance
-from pointpred.recordings.appended import FORMAT
+from pointpred.recordings.own import RECORDER
 from pointpred.records import EventColumns, FloatArray, PredictionColumns
 
 NOTHING: FloatArray = np.empty((0, 6))
@@ -197,7 +197,7 @@ class Recorder:
         begun = self._today()
         name = name_of(session, begun)
         origin = Provenance(
-            FORMAT, origin="as the client says", clock=CLOCK, dpi=dpi_of(hello), cpi=cpi_of(hello)
+            RECORDER, origin="as the client says", clock=CLOCK, dpi=dpi_of(hello), cpi=cpi_of(hello)
         )
         return self.record(SessionFiles(self.folder, name, about_of(origin, begun), self._write), hello)
 

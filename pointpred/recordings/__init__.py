@@ -6,14 +6,13 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from pointpred.recordings.conversion import Summary, convert, write_recordings
     from pointpred.recordings.known_formats import FORMATS, Format, format_of
     from pointpred.recordings.own import read
     from pointpred.recordings.read_files import open_any, read_any
     from pointpred.recordings.reading import Reading
     from pointpred.recordings.segmentation import Piece, cut_at_clicks, cut_at_pauses
     from pointpred.recordings.stored import StoredRecording
-    from pointpred.recordings.writing import write
+    from pointpred.recordings.writing import Summary, convert, write, write_recordings
 
 __all__ = [
     "FORMATS",
@@ -35,7 +34,7 @@ __all__ = [
 
 MODULES = (
     *("reading", "own", "writing", "stored", "segmentation"),
-    *("known_formats", "read_files", "conversion"),
+    *("known_formats", "read_files"),
 )
 """Where the public names are; loaded when one is first used, since commands need the options of ``Reading``
 before they read anything."""

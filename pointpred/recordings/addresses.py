@@ -14,8 +14,6 @@ from pointpred.errors import MissingExtraError, PointpredError, RecordingError
 from pointpred.extras import require
 
 SCHEME = re.compile(r"(?<![\w/])([a-z][a-z0-9+.-]+):/+", re.IGNORECASE)
-SAMPLES, TRIALS = "_samples", "_trials"
-ENDINGS = (".parquet", ".csv", ".csv.gz")
 LOCAL = ("file", "local")
 WEB = ("http", "https")
 """Protocols that have files only: to ask for a folder would fetch the file."""
@@ -76,6 +74,8 @@ def local_copy(address: str) -> Path:
 def _copy(address: str) -> Path:
     import fsspec
 
+    from pointpred.recordings.own import READ, trials_names  # loads Arrow, which no address needs
+
     system, place = fsspec.url_to_fs(address)
     folder = Path(tempfile.mkdtemp(dir=_folder()))
     name = PurePosixPath(place.partition("?")[0].rstrip("/")).name
@@ -91,7 +91,7 @@ def _copy(address: str) -> Path:
             system.get_file(file, str(copy))
         return target
     system.get_file(place, str(target))
-    for beside in _trials_of(target):
+    for beside in trials_names(target) if target.name.endswith(READ) else ():
         other = place[: place.rindex(name)] + beside.name
         if system.exists(other):
             system.get_file(other, str(beside))
@@ -106,15 +106,6 @@ def _inside(folder: Path, name: str | PurePosixPath, address: str) -> Path:
         message = f"{address}: the name {str(name)!r} leads out of its folder: expected names without '..'"
         raise RecordingError(message, value=str(name))
     return file
-
-
-def _trials_of(samples: Path) -> list[Path]:
-    """The names that a trials file beside a samples file may have."""
-    suffix = next((ending for ending in reversed(ENDINGS) if samples.name.endswith(ending)), None)
-    if suffix is None:
-        return []
-    stem = samples.name.removesuffix(suffix).removesuffix(SAMPLES)
-    return [samples.with_name(f"{stem}{TRIALS}{ending}") for ending in dict.fromkeys((suffix, *ENDINGS))]
 
 
 def _is_web(system: Any) -> bool:

@@ -1,4 +1,4 @@
-"""CSV and Parquet files as Arrow tables, pointpred's header in them, and the cells of any table by column.
+"""CSV and Parquet files as Arrow tables, and the cells of any table by column.
 
 Errors name the file, the row and the expected content.
 """
@@ -9,8 +9,8 @@ import csv
 import io
 import os
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -24,23 +24,20 @@ from numpy.typing import NDArray
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Skip
-from pointpred.recordings.encodings import UTF_8, head_of, is_ended, open_utf8
-from pointpred.recordings.reading import row_name
-from pointpred.records import CPI, DPI, EVENT_FIELDS, FloatArray
+from pointpred.recordings.encodings import UTF_8, head_of, open_utf8
+from pointpred.recordings.reading import Cut, TimeUnit, row_name
+from pointpred.records import FloatArray
 
 AT_ONCE = 1024 * 1024
 """Bytes that are read at a time."""
 IntArray = NDArray[np.int64]
-EVENT_COLUMNS = tuple(field.column for field in EVENT_FIELDS)
-"""The columns of an event in pointpred's own files."""
-MARK = b"# pointpred:"
 PARQUET_MAGIC = b"PAR1"
-KEY = b"pointpred"
 NUMBER = r"^[ \t]*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[ \t]*$"
 NOT_A_NUMBER = r"^[ \t]*[+-]?(?i:nan?)?[ \t]*$"
 CELL_MOST = 40
 LARGEST_BLOCK = 1 << 25
-UNENDED = "the last line has no end: the file may be cut"
+JOINTS = "+|/;"
+"""Separators of joined columns: the first that occurs in no cell is used."""
 PLAIN = (
     pa.types.is_string,
     pa.types.is_large_string,
@@ -85,74 +82,39 @@ def _fill(file: BinaryIO, free: memoryview) -> int:
     return size
 
 
-class Header(msgspec.Struct, frozen=True):
-    """The header of a file; a foreign file has these defaults.
-
-    ``rows``: the number of rows in the file; ``text`` names conditions that are text; ``skipped`` trials that
-    were left out before the file was written, each (trial, reason, row, user); ``append``: the recorder's.
-    """
-
-    version: Any = None
-    name: str = ""
-    rows: int | None = None
-    text: tuple[str, ...] = ()
-    provenance: Provenance | None = None
-    skipped: tuple[tuple[str, str, int | None, str | None], ...] = ()
-    notes: tuple[str, ...] = ()
-    append: bool = False
-
-
-NO_HEADER = Header(version=1)
-
-
-class _Appended(msgspec.Struct, frozen=True):
-    append: bool = False
-
-
-def parse_header(path: Path, encoded: bytes) -> Header:
-    """The header in ``encoded``; raises RecordingError if it is not JSON or not in our format."""
-    try:
-        header = msgspec.json.decode(encoded, type=Header)
-    except msgspec.ValidationError as error:
-        raise RecordingError(f"{path}: the pointpred header is not as expected: {error}") from error
-    except (msgspec.DecodeError, UnicodeError, RecursionError) as error:
-        raise RecordingError(f"{path}: the pointpred header is not JSON: {error}") from error
-    if header.version != 1:
-        raise RecordingError(f"{path}: pointpred header version {header.version!r:.40}, expected 1")
-    provenance = header.provenance
-    if provenance is not None:
-        for name, value, (low, high) in (("cpi", provenance.cpi, CPI), ("dpi", provenance.dpi, DPI)):
-            if value is not None and not low <= value <= high:
-                raise RecordingError(
-                    f"{path}: {name} of the pointpred header must lie in [{low:g}, {high:g}], "
-                    f"received {value!r}"
-                )
-    return header
-
-
-def says_appended(encoded: bytes) -> bool:
-    """Whether the header marks a file to which rows were appended one by one."""
-    try:
-        return msgspec.json.decode(encoded, type=_Appended).append
-    except (msgspec.DecodeError, UnicodeError, RecursionError):
-        return False
-
-
 class ColumnTable(msgspec.Struct, frozen=True):
     """The cells of one table by column, all of one length.
 
     A cell is a str, a number, a bool, ``None``, a date and time, or a list of numbers (a row a trial);
     a column is a list, a numpy array or an Arrow array. ``format`` for the provenance. ``row_of``: the file's
     row of each row if some were left out, which ``skipped`` names. ``unsure``: columns of ambiguous numbers,
-    and why.
+    and why. ``known``: what the format says itself; ``None`` for any table.
     """
 
     columns: dict[str, Any]
     format: str
     notes: tuple[str, ...] = ()
     skipped: tuple[Skip, ...] = ()
-    row_of: IntArray | None = None
+    row_of: Sequence[int] | IntArray | None = None
     unsure: dict[str, str] = {}
+    known: Known | None = None
+
+
+class Known(msgspec.Struct, frozen=True, kw_only=True):
+    """What a format says of its columns: which is which field, and their units.
+
+    ``fields``: field -> column; without ``user`` there is one, ``one_user``. ``gain``: px in a unit of x and
+    of y, below 0 where an axis is turned. ``cut``: how a stream is cut by default. ``faults``: what is wrong
+    with a row.
+    """
+
+    fields: dict[str, str]
+    time_unit: TimeUnit
+    provenance: Provenance
+    gain: tuple[float, float] = (1.0, 1.0)
+    one_user: str | None = None
+    cut: Cut | None = None
+    faults: dict[int, str] = {}
 
 
 def distinct_names(names: Sequence[str]) -> list[str]:
@@ -171,31 +133,23 @@ def distinct_names(names: Sequence[str]) -> list[str]:
     return list(taken)
 
 
-def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
-    """The table in a Parquet or CSV file and its pointpred header; ``text`` names the text columns.
+def read_table(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, str]:
+    """The table in a Parquet or CSV file, and a note on its encoding; ``text`` names the text columns.
 
     In a CSV file every other column is read as numbers if all its cells are numbers, else as text:
     ``numbers`` then lists the wrong cells. Raises RecordingError.
     """
     try:
-        parquet = head_of(path).startswith(PARQUET_MAGIC)
-        table, header = read_parquet(path) if parquet else read_csv(path, text, separator)
-        names = table.column_names
+        if head_of(path).startswith(PARQUET_MAGIC):
+            table, note = read_parquet(path)[0], ""
+        else:
+            with open_utf8(path) as (file, encoding):
+                table, note = read_csv(path, file, text, separator), encoding.note
+        check_columns(path, table)
     except UNREADABLE as error:
         raise unreadable(path, error) from error
-    check_names(path, names)
-    for name, column in zip(names, table.columns, strict=True):
-        kind = column.type.value_type if pa.types.is_dictionary(column.type) else column.type
-        if not any(fits(kind) for fits in PLAIN):
-            raise RecordingError(f"{path}: column {name!r} holds {kind}, expected words or numbers")
-    if header.rows not in (None, table.num_rows):
-        raise RecordingError(
-            f"{path}: truncated, it holds {table.num_rows} rows, expected {header.rows} rows",
-            code="truncated",
-            value=table.num_rows,
-        )
-    unbroken(path, table, [name for name in names if not text(name)])
-    return table, header
+    unbroken(path, table, [name for name in table.column_names if not text(name)])
+    return table, note
 
 
 def unreadable(path: Path, error: BaseException) -> RecordingError:
@@ -217,44 +171,49 @@ def check_names(path: Path, names: Sequence[str]) -> None:
         )
 
 
-def parquet_names(path: Path) -> tuple[bool, set[str]]:
-    """Whether a Parquet file has pointpred's header, and its columns; neither if it is damaged.
+def check_columns(path: Path, table: Any) -> None:
+    """Raise RecordingError if two columns have the same name, or one holds neither words nor numbers.
 
-    Raises RecordingError where memory runs out.
+    Also UnicodeError, where a name is no text.
     """
-    try:
-        with open_file(path) as opened, pq.ParquetFile(opened) as file:
-            return KEY in (file.metadata.metadata or {}), set(file.schema_arrow.names)
-    except MemoryError as error:
-        raise unreadable(path, error) from error
-    except UNREADABLE:
-        return False, set()
+    check_names(path, table.column_names)
+    for name, column in zip(table.column_names, table.columns, strict=True):
+        kind = column.type.value_type if pa.types.is_dictionary(column.type) else column.type
+        if not any(fits(kind) for fits in PLAIN):
+            raise RecordingError(f"{path}: column {name!r} holds {kind}, expected words or numbers")
 
 
-def read_parquet(path: Path) -> tuple[Any, Header]:
-    """The table in a Parquet file and its pointpred header; checksums are verified if present."""
-    with open_file(path) as opened, pq.ParquetFile(opened, page_checksum_verification=True) as file:
+@contextmanager
+def parquet_file(path: Path, **options: Any) -> Iterator[Any]:
+    """A Parquet file opened by Arrow; checksums are verified if present. Raises ``UNREADABLE``."""
+    with (
+        open_file(path) as opened,
+        pq.ParquetFile(opened, page_checksum_verification=True, **options) as file,
+    ):
+        groups = [file.metadata.row_group(i).num_rows for i in range(file.num_row_groups)]
+        if sum(groups) != file.metadata.num_rows:  # Arrow makes room for the rows of a group before it reads
+            raise ValueError(f"damaged: its parts claim {sum(groups)} rows, it has {file.metadata.num_rows}")
+        yield file
+
+
+def read_parquet(path: Path) -> tuple[Any, dict[bytes, bytes]]:
+    """The table in a Parquet file, and what the file says of itself; raises ``UNREADABLE``."""
+    with parquet_file(path) as file:
         table = file.read()
-    table.validate(full=True)
-    return table.replace_schema_metadata(None), _header(path, (file.metadata.metadata or {}).get(KEY))
+        table.validate(full=True)
+        return table.replace_schema_metadata(None), file.metadata.metadata or {}
 
 
-def read_csv(path: Path, text: Callable[[str], bool], separator: str = ",") -> tuple[Any, Header]:
-    """The table in a CSV file and the header in its first line, if there is one."""
-    with open_utf8(path) as (file, encoding):
-        first = file.readline(1 << 26).removeprefix(UTF_8)
-        marked = first.startswith(MARK)
-        columns = file.readline(1 << 26) if marked else first
-        header = _header(path, first[len(MARK) :] if marked else None)
-        if marked and not is_ended(path):
-            raise RecordingError(
-                f"{path}: truncated, the last row does not end with a line break", code="truncated"
-            )
-        names = next(csv.reader(columns.decode().splitlines()[:1], delimiter=separator), [])
-        words = {name: pa.string() for name in names if text(name)}
-        numeric = {name: pa.float64() for name in names if name not in words}
-        table = parse_csv(path, file, words | numeric, separator, skip=int(marked))
-    return table, msgspec.structs.replace(header, notes=(*header.notes, *filter(None, [encoding.note])))
+def read_csv(
+    path: Path, file: BinaryIO, text: Callable[[str], bool], separator: str = ",", *, skip: int = 0
+) -> Any:
+    """The table below ``skip`` lines of an open CSV file; raises ``UNREADABLE``."""
+    file.seek(0)
+    for _ in range(skip + 1):
+        columns = file.readline(1 << 26)
+    names = next(csv.reader(columns.removeprefix(UTF_8).decode().splitlines()[:1], delimiter=separator), [])
+    types = {name: pa.string() if text(name) else pa.float64() for name in names}
+    return parse_csv(path, file, types, separator, skip=skip)
 
 
 def parse_csv(
@@ -321,15 +280,6 @@ def parse_csv(
     return table
 
 
-def _header(path: Path, encoded: bytes | None) -> Header:
-    return NO_HEADER if encoded is None else parse_header(path, encoded)
-
-
-def is_whole(path: Path) -> bool:
-    """Whether a CSV file ends with a line break; a Parquet file that was read is whole."""
-    return head_of(path).startswith(PARQUET_MAGIC) or is_ended(path)
-
-
 def unbroken(path: Path, table: Any, columns: Iterable[str]) -> None:
     """Raise RecordingError for a line break inside a cell: an unclosed quote merges rows."""
     for name in columns:
@@ -354,6 +304,17 @@ def words(column: Any) -> Any:
     if pa.types.is_dictionary(column.type):
         column = column.cast(column.type.value_type)
     return column if pa.types.is_string(column.type) else pc.cast(column, pa.string())
+
+
+def join_columns(columns: list[Any]) -> Any:
+    """The words of several columns as one column, such as ``2+7``; null if one of them is empty."""
+    columns = [pc.utf8_trim_whitespace(words(column)) for column in columns]
+    columns = [pc.if_else(pc.equal(column, ""), None, column) for column in columns]
+    taken = {
+        mark for mark in JOINTS for column in columns if pc.any(pc.match_substring(column, mark)).as_py()
+    }
+    mark = next((mark for mark in JOINTS if mark not in taken), " ++ ")
+    return pc.binary_join_element_wise(*columns, mark, null_handling="emit_null")
 
 
 def is_words(column: Any) -> bool:
@@ -391,6 +352,21 @@ def finite_numbers(column: Any) -> tuple[FloatArray, dict[int, str]]:
         faults.setdefault(row, str(array[row]))
         array[row] = np.nan
     return array, faults
+
+
+def as_arrow(column: Any) -> Any:
+    """A column as an Arrow array; cells of several types become text."""
+    if isinstance(column, pa.ChunkedArray):
+        return column
+    try:
+        array = pa.array(column)
+    except MemoryError:  # one of Arrow's, too: text takes even more
+        raise
+    except (pa.ArrowException, TypeError, ValueError, OverflowError):
+        array = pa.array([None if cell is None else str(cell) for cell in column], pa.string())
+    if pa.types.is_null(array.type):
+        array = pc.cast(array, pa.string())
+    return pa.chunked_array([array])
 
 
 def float64(column: Any) -> FloatArray:

@@ -10,9 +10,7 @@ import msgspec
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Recording
-from pointpred.recordings import appended, arrow_tables, own
-from pointpred.recordings.arrow_tables import ColumnTable
-from pointpred.recordings.columns.table_recording import recording_of_table
+from pointpred.recordings import own
 from pointpred.recordings.encodings import head_of, text_in
 from pointpred.recordings.formats import (
     balabit,
@@ -37,9 +35,8 @@ from pointpred.recordings.formats import (
     xlsx,
 )
 from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.tables import recording_of_table
 
-OWN_NAMES = (set(own.REQUIRED), {"user", "trial", "n_samples"})
-"""The columns that identify pointpred's own samples and trials without their mark."""
 ADVICE = (
     ((b"RDX2\n", b"RDX3\n"), "R data are not read; in R: write.csv(NAME, 'table.csv', row.names = FALSE)"),
     (
@@ -74,102 +71,59 @@ class Format(msgspec.Struct, frozen=True):
     recognises_further: Callable[[Path, bytes], bool] = lambda path, head: False
 
 
-def table_format(
-    key: str,
-    title: str,
-    recognises: Callable[[bytes], bool],
-    read: Callable[[Path, Reading], ColumnTable],
-    *,
-    binary: bool = False,
-) -> Format:
-    """A format whose files hold any table: ``read`` gives its cells."""
-
-    def recording(path: Path, reading: Reading) -> Recording:
-        return recording_of_table(path, read(path, reading), reading)
-
-    return Format(key, title, recognises, recording, streams=True, tabular=True, binary=binary)
-
-
-def _log(key: str, module: Any, **more: Any) -> Format:
-    """A format of streams whose rows are read as those of a table, under the names t, x, y and buttons."""
+def _table(key: str, module: Any, **more: Any) -> Format:
+    """A format whose files hold a table: the module gives its cells."""
 
     def recording(path: Path, reading: Reading) -> Recording:
         return recording_of_table(path, module.read(path, reading), reading)
 
-    return Format(key, module.TITLE, module.recognises, recording, streams=True, **more)
+    return Format(key, module.TITLE, module.recognises, recording, **more)
 
 
-def _is_own(head: bytes) -> bool:
-    """Whether a text that begins with ``head`` is one of pointpred's own."""
-    first = head.split(b"\n", 1)[0]
-    named = first.decode("utf-8", "replace").replace('"', "").replace("\r", "").split(",")
-    return first.startswith(arrow_tables.MARK) or any(needed <= set(named) for needed in OWN_NAMES)
+def _log(key: str, module: Any, takes: tuple[str, ...] = ("px_per_unit",)) -> Format:
+    """A format of the events of devices, which move by counts or on a surface."""
+    return Format(key, module.TITLE, module.recognises, module.read, streams=True, takes=takes)
 
 
-def _is_own_parquet(path: Path, head: bytes) -> bool:
-    """Whether a file is pointpred's own Parquet, whose header is at its end."""
-    if not parquet.recognises(head):
-        return False
-    marked, names = arrow_tables.parquet_names(path)
-    return marked or any(needed <= names for needed in OWN_NAMES)
+ANY = {"streams": True, "tabular": True}
+"""Of formats whose files hold any table."""
 
 
 FORMATS: tuple[Format, ...] = (
     Format(
         "recorder",
-        appended.TITLE,
-        appended.recognises,
+        "pointpred recorder CSV",
+        own.recognises_recorder,
         lambda path, reading: own.read(path, reading=reading),
         streams=True,
     ),
     Format(
         "own",
         "pointpred Parquet or CSV",
-        _is_own,
+        own.recognises,
         lambda path, reading: own.read(path, reading=reading),
-        recognises_further=_is_own_parquet,
+        recognises_further=own.recognises_further,
     ),
-    Format("gofitts", gofitts.TITLE, gofitts.recognises, gofitts.read),
-    Format("balabit", balabit.TITLE, balabit.recognises, balabit.read, streams=True),
-    Format(
-        "pointing-dynamics", pointing_dynamics.TITLE, pointing_dynamics.recognises, pointing_dynamics.read
-    ),
-    Format("mousetrap", mousetrap.TITLE, mousetrap.recognises, mousetrap.read),
-    Format("psychopy", psychopy.TITLE, psychopy.recognises, psychopy.read, takes=("px_per_unit",)),
-    Format(
-        "jspsych",
-        jspsych.TITLE,
-        jspsych.recognises,
-        jspsych.read,
-        recognises_further=jspsych.recognises_further,
-    ),
-    Format(
-        "libinput", libinput.TITLE, libinput.recognises, libinput.read, streams=True, takes=("px_per_unit",)
-    ),
-    Format("evtest", evtest.TITLE, evtest.recognises, evtest.read, streams=True, takes=("px_per_unit",)),
-    Format(
-        "hid-recorder",
-        hid_recorder.TITLE,
-        hid_recorder.recognises,
-        hid_recorder.read,
-        streams=True,
-        takes=("px_per_unit",),
-    ),
-    Format("evemu", evemu.TITLE, evemu.recognises, evemu.read, streams=True, takes=("px_per_unit",)),
-    Format(
-        "getevent", getevent.TITLE, getevent.recognises, getevent.read, streams=True, takes=("px_per_unit",)
-    ),
-    Format(
-        "libinput-debug-events", debug_events.TITLE, debug_events.recognises, debug_events.read, streams=True
-    ),
-    _log("pynput", pynput),
-    _log("rrweb", rrweb, recognises_further=rrweb.recognises_further),
-    table_format("matlab", matlab.TITLE, matlab.recognises, matlab.read, binary=True),
-    table_format("xlsx", xlsx.TITLE, xlsx.recognises, xlsx.read, binary=True),
-    table_format("xdf", xdf.TITLE, xdf.recognises, xdf.read, binary=True),
-    table_format("parquet", parquet.TITLE, parquet.recognises, parquet.read, binary=True),
-    table_format("json", json_records.TITLE, json_records.recognises, json_records.read),
-    table_format("delimited", delimited.TITLE, delimited.recognises, delimited.read),
+    _table("gofitts", gofitts),
+    _table("balabit", balabit, streams=True),
+    _table("pointing-dynamics", pointing_dynamics),
+    _table("mousetrap", mousetrap),
+    _table("psychopy", psychopy, takes=("px_per_unit",)),
+    _table("jspsych", jspsych, recognises_further=jspsych.recognises_further),
+    _log("libinput", libinput),
+    _log("evtest", evtest),
+    _log("hid-recorder", hid_recorder),
+    _log("evemu", evemu),
+    _log("getevent", getevent),
+    _log("libinput-debug-events", debug_events, takes=()),
+    _table("pynput", pynput, streams=True),
+    _table("rrweb", rrweb, streams=True, recognises_further=rrweb.recognises_further),
+    _table("matlab", matlab, binary=True, **ANY),
+    _table("xlsx", xlsx, binary=True, **ANY),
+    _table("xdf", xdf, binary=True, **ANY),
+    _table("parquet", parquet, binary=True, **ANY),
+    _table("json", json_records, **ANY),
+    _table("delimited", delimited, **ANY),
 )
 """In the order of detection: the strictest first."""
 
@@ -177,7 +131,7 @@ FORMATS: tuple[Format, ...] = (
 def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
     """The format of a file by its first 64 KiB, not by its name; ``None`` if none fits.
 
-    If ``reading`` names columns or records, formats of general tables are tried first.
+    If ``reading`` names columns, formats of general tables are tried first.
     """
     if path.exists() and not path.is_file():
         raise RecordingError(f"{path}: no file that can be read twice (a pipe?); write it to a file first")
@@ -188,8 +142,7 @@ def format_of(path: Path, reading: Reading = AS_IS) -> Format | None:
 def _format_of(path: Path, reading: Reading) -> Format | None:
     """The format of a file that can be read twice."""
     head = head_of(path)
-    as_table = reading.columns is not None or reading.records is not None
-    formats = sorted(FORMATS, key=lambda form: not form.tabular) if as_table else FORMATS
+    formats = FORMATS if reading.columns is None else sorted(FORMATS, key=lambda form: not form.tabular)
     return next(
         (form for form in formats if form.recognises(head) or form.recognises_further(path, head)), None
     )

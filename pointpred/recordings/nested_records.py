@@ -7,14 +7,13 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import chain
-from pathlib import Path
 from types import NoneType
 from typing import Any
 
 import msgspec
 
 from pointpred.errors import RecordingError
-from pointpred.recordings.arrow_tables import ColumnTable, distinct_names
+from pointpred.recordings.arrow_tables import distinct_names
 
 MOST_DEPTH = 32
 MOST_CELLS = 40_000_000
@@ -28,35 +27,24 @@ SCALARS = NUMBERS | {str}
 EACH = "*"
 LEAST_COLUMNS = 3
 """A table of fewer columns cannot hold times and positions."""
-CLEAR = 2
-"""The largest list of records is chosen if it has at least so many times the samples of the next."""
 MOST_FIELDS = 16
 """An object with more fields than this, all similar records, holds one record per name."""
-MOST_SHOWN = 8
 TRACK = re.compile(r'\s*(\[\s*[\[{]|\{\s*"[^"]*"\s*:\s*\[)')
 PROBE = 200
 """Rows among which the first nonempty cell decides the content of a column."""
 
 
-class DeepField(msgspec.Struct, frozen=True):
-    """A field too deep for a cell: the number and value of its row, its name and its value."""
-
-    row: int
-    whole: Any
-    name: str
-    value: Any
-
-
 class RecordTable:
     """Columns of one length that grow row by row; a missing field is ``None``.
 
-    ``deep_fields`` are those that are too deep for a cell. Raises RecordingError above 4e7 cells.
+    ``deep_fields`` are those that are too deep for a cell: the number of its row, its name and its value.
+    Raises RecordingError above 4e7 cells.
     """
 
-    def __init__(self) -> None:
-        self.columns: dict[str, list[Any]] = {}
-        self.rows = 0
-        self.deep_fields: list[DeepField] = []
+    def __init__(self, columns: dict[str, list[Any]] | None = None) -> None:
+        self.columns = columns or {}
+        self.rows = len(next(iter(self.columns.values()), ()))
+        self.deep_fields: list[tuple[int, str, Any]] = []
         self._own = 0
 
     def add(self, row: dict[str, Any]) -> None:
@@ -135,7 +123,7 @@ def records(rows: Sequence[dict[str, Any] | None]) -> RecordTable:
     for at, row in enumerate(rows):
         if row is not None:
             cells, deep = flatten(row)
-            table.deep_fields += [DeepField(at, row, name, value) for name, value in deep.items()]
+            table.deep_fields += [(at, name, value) for name, value in deep.items()]
             table.add(cells)
     _spread(table.finish())
     return table
@@ -215,25 +203,21 @@ def _points(values: list[Any]) -> RecordTable | None:
     return None if nested else table
 
 
-def by_position(rows: list[list[Any]], names: Sequence[str] | None = None) -> RecordTable | None:
+def by_position(rows: list[list[Any]], names: Sequence[str] = ()) -> RecordTable | None:
     """Arrays as rows, their columns named by position from 0 on, or by a first array of text.
 
     At most 16 arrays that are longer than that are columns. ``None`` if an array contains more than scalars.
     """
     if not all(set(map(type, row)) <= SCALARS for row in rows):
         return None
-    if names is None and rows[0] and set(map(type, rows[0])) == {str}:
+    if not names and rows[0] and set(map(type, rows[0])) == {str}:
         names, rows = rows[0], rows[1:]
-    table = RecordTable()
     width = max(map(len, rows), default=0)
-    if len(rows) <= FEW < width and names is None:
-        if len(set(map(len, rows))) == 1:
-            table.columns = {str(at): row for at, row in enumerate(rows)}
-            table.rows = width
-            return table
-        return None
-    names_there = names or ()
-    titles = distinct_names([*names_there, *map(str, range(len(names_there), width))])
+    if len(rows) <= FEW < width and not names:
+        alike = len(set(map(len, rows))) == 1
+        return RecordTable({str(at): row for at, row in enumerate(rows)}) if alike else None
+    table = RecordTable()
+    titles = distinct_names([*names, *map(str, range(len(names), width))])
     for row in rows:
         table.add(dict(zip(titles, row, strict=False)))
     return table.finish()
@@ -257,18 +241,13 @@ def _of_lists(value: dict[str, Any]) -> RecordTable | None:
     rows, count = Counter(map(len, columns.values())).most_common(1)[0]
     if count < 2:
         return None
-    table = RecordTable()
-    cells, deep = flatten({name: inner for name, inner in value.items() if name not in columns})
-    constants = {name: cell for name, cell in cells.items() if type(cell) in SCALARS}
-    table.columns = {name: inner for name, inner in columns.items() if len(inner) == rows}
-    table.rows = rows
+    table = RecordTable({name: inner for name, inner in columns.items() if len(inner) == rows})
     _spread(table)
-    table.deep_fields = [DeepField(0, value, name, inner) for name, inner in deep.items()]
-    table.deep_fields += [
-        DeepField(0, value, name, inner) for name, inner in columns.items() if len(inner) != rows
-    ]
+    cells, deep = flatten({name: inner for name, inner in value.items() if name not in columns})
+    deep |= {name: inner for name, inner in columns.items() if len(inner) != rows}
+    table.deep_fields = [(0, name, inner) for name, inner in deep.items()]
     answer = RecordTable()
-    answer.append(table, constants)
+    answer.append(table, scalars(cells))
     return answer
 
 
@@ -292,10 +271,7 @@ def _of_indexed(value: dict[str, Any]) -> RecordTable | None:
         return None
     if not all(type(cell) in SCALARS for column in columns for cell in column.values()):
         return None
-    table = RecordTable()
-    table.columns = {name: list(column.values()) for name, column in value.items()}
-    table.rows = len(index)
-    return table
+    return RecordTable({name: list(column.values()) for name, column in value.items()})
 
 
 Tables = dict[str, RecordTable]
@@ -339,58 +315,14 @@ class Branch(msgspec.Struct, frozen=True):
         return self.beside | (scalars(self.value) if isinstance(self.value, dict) else {})
 
 
-def table_at(path: Path, document: Any, wanted: str | None, title: str) -> ColumnTable:
-    """The records at ``wanted`` in a document of the format ``title``, else the only ones that fit.
+def survey(document: Any) -> Tables:
+    """Every table in a document by its path; several of one path are one table.
 
-    ``wanted`` is names, and numbers from 0, joined by dots; ``*`` stands for each value of a list or an
-    object. Scalars beside the path become columns of equal cells. Notes name what was read and what was left
-    out.
-    Raises RecordingError, which names the paths that hold records.
+    Raises RecordingError where values are nested too deeply.
     """
-    try:
-        return _table_at(document, wanted, title)
-    except RecordingError as error:
-        raise RecordingError(f"{path}: {error}") from error
-
-
-def _table_at(document: Any, wanted: str | None, title: str) -> ColumnTable:
-    root = Branch(document)
-    branches = [root] if wanted is None else list(_follow(root, wanted.split(".")))
-    if not branches:
-        raise RecordingError(f"nothing lies at {wanted!r}; {_explain(_survey([root]))}")
-    others: Tables = {}
-    label, table = wanted or "", _join(branches) if wanted else None
-    if table is None:
-        label, others = _choose(_survey(branches))
-        table = others.pop(label)
-    notes = [f"records: {_rows(table)} {f'at {label}' if label else 'of the whole file'}"]
-    if others:
-        notes.append(f"other lists of records left aside: {_list_paths(others)}")
-    if table.deep_fields:
-        names = list(dict.fromkeys(field.name for field in table.deep_fields))
-        notes.append(f"fields too deep for a cell left aside: {', '.join(names[:MOST_SHOWN])}")
-    return ColumnTable(dict(table.columns), title, tuple(notes))
-
-
-def _follow(branch: Branch, names: list[str]) -> Iterator[Branch]:
-    """Every branch at a path; names may contain dots."""
-    value = branch.value
-    check_depth(len(branch.path))
-    if not names:
-        yield branch
-    elif names[0] == EACH and isinstance(value, (list, dict)):
-        for item in branch.each():
-            yield from _follow(item, names[1:])
-    elif isinstance(value, dict):
-        for count in range(min(len(names), MOST_DEPTH), 0, -1):
-            name = ".".join(names[:count])
-            if name in value:
-                yield from _follow(branch.child(name, value[name]), names[count:])
-                return
-    elif isinstance(value, list):
-        at = int(names[0]) if names[0].isdecimal() and len(names[0]) < 10 else len(value)
-        if at < len(value):
-            yield from _follow(branch.child(names[0], value[at]), names[1:])
+    tables: Tables = {}
+    _collect(Branch(document), tables)
+    return {label: table for label, table in tables.items() if table.own >= LEAST_COLUMNS}
 
 
 def _table(branch: Branch) -> RecordTable | None:
@@ -401,33 +333,15 @@ def _table(branch: Branch) -> RecordTable | None:
     return table
 
 
-def _join(branches: list[Branch]) -> RecordTable | None:
-    """The branches of one path as one table; ``None`` if none of them is a table."""
-    whole = RecordTable()
-    for branch in branches:
-        table = _table(branch)
-        if table is not None:
-            whole.append(table, branch.beside)
-    return whole if whole.columns else None
-
-
-def _survey(branches: list[Branch]) -> Tables:
-    """Every table in some branches and below them, by its path; several of one path are one table."""
-    tables: Tables = {}
-    for branch in branches:
-        _collect(branch, tables)
-    return {label: table for label, table in tables.items() if table.own >= LEAST_COLUMNS}
-
-
 def _collect(branch: Branch, tables: Tables) -> None:
     check_depth(len(branch.path))
     value = branch.value
     table = _table(branch)
     if table is not None:
         tables.setdefault(branch.label, RecordTable()).append(table, branch.beside)
-        for field in table.deep_fields:
-            row = branch.item(field.row, field.whole) if isinstance(value, list) else branch
-            _collect(row.child(field.name, field.value), tables)
+        for row, name, inner in table.deep_fields:
+            within = branch.item(row, value[row]) if isinstance(value, list) else branch
+            _collect(within.child(name, inner), tables)
     elif isinstance(value, list) or (isinstance(value, dict) and _are_alike(value)):
         for item in branch.each():
             _collect(item, tables)
@@ -450,39 +364,6 @@ def _fields(value: Any) -> set[str]:
     if isinstance(first, dict):
         return set(first)
     return {str(at) for at in range(len(first))} if isinstance(first, list) else set()
-
-
-def _choose(tables: Tables) -> tuple[str, Tables]:
-    """The path of the only or by far the largest table, and all tables."""
-    if not tables:
-        raise RecordingError(_explain(tables))
-    sizes = sorted(((table.samples, label) for label, table in tables.items()), reverse=True)
-    if len(sizes) > 1 and sizes[0][0] < CLEAR * sizes[1][0]:
-        raise RecordingError(_explain(tables))
-    return sizes[0][1], dict(tables)
-
-
-def _explain(tables: Tables) -> str:
-    """The error message: the paths of records, and the option that selects one."""
-    if not tables:
-        return (
-            f"no list of records with at least {LEAST_COLUMNS} fields, expected one with times and positions"
-        )
-    first = next(iter(tables))
-    return f"records lie at {_list_paths(tables)}; choose one, as in: --records {first or EACH}"
-
-
-def _list_paths(tables: Tables) -> str:
-    """Paths with the number of their rows and their columns."""
-    shown = [
-        f"{label or 'the top'} ({_rows(table)}: {', '.join(list(table.columns)[:MOST_SHOWN])})"
-        for label, table in list(tables.items())[:MOST_SHOWN]
-    ]
-    return "; ".join(shown) + (f"; and {len(tables) - MOST_SHOWN} more" if len(tables) > MOST_SHOWN else "")
-
-
-def _rows(table: RecordTable) -> str:
-    return f"{table.rows} row{'s' * (table.rows != 1)}"
 
 
 def open_cells(columns: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:

@@ -26,8 +26,6 @@ from pointpred.recordings.trials import join, questions
 Progress = Callable[[str, int, int], None]
 OWN = ("recorder", "own")
 """Formats in which each file is a separate recording."""
-ONE_TABLE = ("parquet", "delimited")
-"""Formats with one table per file, for which ``Reading.records`` has no effect."""
 
 
 def read_any(
@@ -40,7 +38,6 @@ def read_any(
     time_unit: TimeUnit | None = None,
     y_up: bool | None = None,
     px_per_unit: float | tuple[float, float] | None = None,
-    records: str | None = None,
 ) -> list[Recording]:
     """Read a recording of any known format, or every recording in a folder and the folders below it.
 
@@ -74,7 +71,6 @@ def read_any(
         "time_unit": time_unit,
         "y_up": y_up,
         "px_per_unit": px_per_unit,
-        "records": records,
     }
     reading = msgspec.structs.replace(
         reading, **{name: value for name, value in unused.items() if value is not None}
@@ -144,15 +140,13 @@ def _read(form: Format, path: Path, reading: Reading) -> Recording:
     notes = [] if form.key == "own" else questions(recording)
     if reading.encoding is not None and form.binary:
         notes.append(f"encoding has no effect: {form.title} is no text")
-    if reading.cut is not None and not form.streams:
+    if reading.cut is not None and form.key == "own":
         notes.append(f"cut {reading.cut!r} has no effect: {form.title} has trials of its own")
-    if reading.records is not None and form.key in ONE_TABLE:
-        notes.append(f"records has no effect: {form.title} is one table")
     beside = trials_beside(path) if form.tabular and is_samples(path) else None
     if beside is not None:
         notes.append(f"{beside.name} is not read: with columns, the file is read as any table")
     if not form.tabular:
-        said = ("columns", "y_up", "px_per_unit", "records") + (() if form.key == "own" else ("time_unit",))
+        said = ("columns", "y_up", "px_per_unit") + (() if form.key == "own" else ("time_unit",))
         notes += [
             f"{name} has no effect: {form.title} says it itself"
             for name in said

@@ -69,9 +69,6 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
             metavar="NUMBER",
         ),
     ] = None
-    records: Annotated[
-        str | None, told("Path to the rows in nested JSON, such as data.trials.", table=True)
-    ] = None
     encoding: Annotated[
         str | None,
         told(

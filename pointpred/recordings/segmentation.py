@@ -2,26 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
 import msgspec
 import numpy as np
 
-from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.recordings.arrow_tables import IntArray
 from pointpred.recordings.reading import Cut, Reading
-from pointpred.recordings.trials import (
-    BUTTONS,
-    DX,
-    DY,
-    T,
-    X,
-    Y,
-    assemble,
-    in_order,
-)
-from pointpred.records import EventColumns, FloatArray
+from pointpred.recordings.trials import BUTTONS, DX, DY, T, X, Y
+from pointpred.records import EventColumns
 
 PAUSE_S = 0.3
 """A longer standstill separates two movements."""
@@ -114,111 +100,6 @@ def cut_at_pauses(events: EventColumns, pause_s: float = PAUSE_S) -> list[Piece]
     if reached < len(table):
         pieces.append(Piece(reached, len(table), "no movement"))
     return pieces
-
-
-class Groups(msgspec.Struct):
-    """Trial of each row (-1: none), user and name of each trial, notes on left-out rows and assumptions."""
-
-    group: IntArray
-    keys: list[tuple[str, str]] = []
-    conditions: list[dict[str, str | float]] = []
-    skipped: list[Skip] = []
-    notes: list[str] = []
-
-    def add_stream(
-        self,
-        rows: IntArray,
-        events: EventColumns,
-        how: Cut,
-        reading: Reading,
-        row_of: IntArray,
-        user: str,
-        of: str | None = None,
-    ) -> None:
-        """Cut the stream ``events``, some ``rows`` of a table, and add its trials and skips (``of`` a user).
-
-        ``row_of``: the file's row of each of the table. A trial is named by its number among those of the
-        user; its condition ``begins_s`` is its beginning on the stream's clock.
-        """
-        number = sum(1 for key in self.keys if key[0] == user)
-        for piece in cut(events, how, reading):
-            some = rows[piece.start : piece.stop]
-            if piece.reason:
-                first, last = int(row_of[some[0]]), int(row_of[some[-1]])
-                self.skipped.append(Skip(f"rows {first} to {last}", piece.reason, first, of))
-                continue
-            self.group[some] = len(self.keys)
-            self.keys.append((user, str(number)))
-            self.conditions.append({"begins_s": float(events.t[piece.start])})
-            number += 1
-
-    def recording(
-        self,
-        name: str,
-        table: FloatArray,
-        trials: Sequence[Trial],
-        per_second: float = 1.0,
-        *,
-        row_of: IntArray,
-        faults: dict[int, str],
-        skipped: Sequence[Skip] = (),
-        notes: Sequence[str] = (),
-        **about: Any,
-    ) -> Recording:
-        """The recording of ``trials`` by ``assemble``; time, in ``per_second`` units, starts at 0 in each."""
-        inside = self.group >= 0
-        group, table, place = self.group[inside], table[inside], np.cumsum(inside) - 1
-        first = np.full(len(trials), np.nan)
-        first[group[::-1]] = table[::-1, T]
-        table[:, T] = (table[:, T] - first[group]) / per_second
-        return assemble(
-            name,
-            table,
-            group,
-            trials,
-            skipped=(*skipped, *self.skipped),
-            faults={int(place[at]): words for at, words in faults.items() if inside[at]},
-            row_of=row_of[inside],
-            notes=(*notes, *self.notes),
-            **about,
-        )
-
-
-def trials_of_stream(
-    name: str,
-    events: EventColumns,
-    how: Cut,
-    reading: Reading,
-    *,
-    user: str,
-    provenance: Provenance,
-    condition: dict[str, str | float] | None = None,
-    faults: dict[int, str] | None = None,
-    row_of: IntArray | None = None,
-    breaks: Sequence[int] = (),
-    notes: Sequence[str] = (),
-) -> Recording:
-    """A recording from a stream: its pieces as trials ``0, 1, ...`` and as skips named by their rows.
-
-    ``breaks`` are rows at which the stream begins anew, wherever that is: no piece goes on there.
-    """
-    rows = np.arange(len(events), dtype=np.int64)
-    row = rows if row_of is None else row_of
-    ordered = in_order(events.t, reading.sort)
-    table, place = events.table[ordered.order], np.argsort(ordered.order)
-    groups = Groups(np.full(len(rows), -1, dtype=np.int64))
-    part = np.searchsorted(np.asarray(breaks, dtype=np.int64), ordered.order, side="right")
-    for some in np.split(rows, np.flatnonzero(np.diff(part)) + 1):
-        groups.add_stream(some, EventColumns(table[some]), how, reading, row[ordered.order], user)
-    return groups.recording(
-        name,
-        table,
-        [Trial(user, str(at), condition=(condition or {}) | one) for at, one in enumerate(groups.conditions)],
-        row_of=row[ordered.order],
-        faults={int(place[at]): words for at, words in (faults or {}).items()},
-        provenance=provenance,
-        notes=[*notes, *ordered.notes(row)],
-    )
 
 
 def _check(piece: Piece, events: EventColumns, reading: Reading) -> Piece:

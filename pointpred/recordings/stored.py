@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
@@ -12,20 +10,18 @@ from typing import Any
 import msgspec
 import numpy as np
 import pyarrow as pa
-import pyarrow.parquet as pq
 
 from pointpred.errors import RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.recordings import arrow_tables
 from pointpred.recordings.addresses import address_of, local_copy
-from pointpred.recordings.arrow_tables import EVENT_COLUMNS, Header, IntArray, open_file, parse_header
-from pointpred.recordings.own import described
+from pointpred.recordings.arrow_tables import IntArray, parquet_file
+from pointpred.recordings.own import EVENT_COLUMNS, KEY, REQUIRED, Header, described, events_of, parse_header
 from pointpred.recordings.trials import assemble
 
 ROWS_LEAST = 1 << 22
 """A file with fewer rows is read as a whole: some 200 MB."""
-KEYS = ("user", "trial")
-NEEDED = (*KEYS, *EVENT_COLUMNS[:3])
+KEYS = ["user", "trial"]
 
 
 class StoredPart(msgspec.Struct, frozen=True):
@@ -48,25 +44,18 @@ class StoredPart(msgspec.Struct, frozen=True):
         if self.address and not path.exists():
             path = local_copy(self.address)
         beside = path.with_name(Path(self.trials).name)
-        with _opened(path) as file:
-            names = file.schema_arrow.names
-            table = _rows(
-                file, self.first_row, self.stop_row, [*KEYS, *(n for n in EVENT_COLUMNS if n in names)]
-            )
+        with parquet_file(path, read_dictionary=KEYS) as file:
+            columns = [name for name in file.schema_arrow.names if name in (*KEYS, *EVENT_COLUMNS)]
+            table = _rows(file, self.first_row, self.stop_row, columns)
         table.validate(full=True)
         starts, keys, _ = _runs(table)
         sizes = np.diff(starts, append=table.num_rows)
-        events = np.full((table.num_rows, len(EVENT_COLUMNS)), np.nan)
-        events[:, -1] = 0.0
-        for index, column in enumerate(EVENT_COLUMNS):
-            if column in names:
-                events[:, index] = arrow_tables.float64(table[column])
         header, every = _trials_file(str(beside), beside.stat().st_mtime_ns)
         rows = every.slice(self.first_trial, self.stop_trial - self.first_trial)
         about = described(beside, rows, header, self.name, keys, sizes)
         return assemble(
             self.name,
-            events,
+            events_of(table)[0],
             np.repeat(np.arange(len(keys)), sizes),
             about.trials,
             unusable=about.unusable,
@@ -150,7 +139,10 @@ def stored(path: Path, beside: Path | None, rows_least: int = ROWS_LEAST) -> Sto
     if beside is None:
         return None
     try:
-        with _opened(path) as samples, _opened(beside) as trials:
+        with (
+            parquet_file(path, read_dictionary=KEYS) as samples,
+            parquet_file(beside, read_dictionary=KEYS) as trials,
+        ):
             header, other = (_header(file, one) for file, one in ((path, samples), (beside, trials)))
             if header is None or other is None or not _fits(samples, header) or other.rows is None:
                 return None
@@ -179,17 +171,8 @@ def stored(path: Path, beside: Path | None, rows_least: int = ROWS_LEAST) -> Sto
     return StoredRecording(about, str(path), str(beside), starts, person, np.cumsum(rows))
 
 
-@contextmanager
-def _opened(path: Path) -> Iterator[Any]:
-    with (
-        open_file(path) as opened,
-        pq.ParquetFile(opened, page_checksum_verification=True, read_dictionary=list(KEYS)) as file,
-    ):
-        yield file
-
-
 def _header(path: Path, file: Any) -> Header | None:
-    encoded = (file.metadata.metadata or {}).get(arrow_tables.KEY)
+    encoded = (file.metadata.metadata or {}).get(KEY)
     return None if encoded is None else parse_header(path, encoded)
 
 
@@ -203,7 +186,7 @@ def _fits(file: Any, header: Header) -> bool:
         header.provenance is not None
         and bool(header.name)
         and header.rows == file.metadata.num_rows
-        and set(NEEDED) <= set(schema.names) <= {"dataset", *KEYS, *EVENT_COLUMNS}
+        and set(REQUIRED) <= set(schema.names) <= {"dataset", *KEYS, *EVENT_COLUMNS}
         and numeric
     )
 
@@ -214,7 +197,7 @@ def _scan(file: Any) -> tuple[IntArray, IntArray, IntArray] | None:
     people: dict[str, int] = {}
     row, last = 0, ("", "")
     for i in range(file.num_row_groups):
-        table = file.read_row_group(i, columns=list(KEYS), use_threads=False)
+        table = file.read_row_group(i, columns=KEYS, use_threads=False)
         if not table.num_rows:
             continue
         begins, keys, complete = _runs(table)
@@ -237,7 +220,7 @@ def _scan(file: Any) -> tuple[IntArray, IntArray, IntArray] | None:
 
 def _runs(table: Any) -> tuple[IntArray, list[tuple[str, str]], bool]:
     """Where trials begin in a table, their (user, trial), and whether every row has both."""
-    table = table.select(list(KEYS)).unify_dictionaries()
+    table = table.select(KEYS).unify_dictionaries()
     columns = [table[name].combine_chunks() for name in KEYS]
     codes = [arrow_tables.as_array(column.indices).astype(np.int64) for column in columns]
     words = [column.dictionary.to_pylist() for column in columns]
@@ -253,7 +236,7 @@ def _same_order(trials: Any, hashes: IntArray) -> bool:
         return False
     row = 0
     for i in range(trials.num_row_groups):
-        batch = trials.read_row_group(i, columns=list(KEYS), use_threads=False)
+        batch = trials.read_row_group(i, columns=KEYS, use_threads=False)
         keys = zip(*(batch[name].to_pylist() for name in KEYS), strict=True)
         mine = np.array([hash(key) for key in keys], dtype=np.int64)
         if not np.array_equal(mine, hashes[row : row + len(mine)]):
@@ -262,7 +245,7 @@ def _same_order(trials: Any, hashes: IntArray) -> bool:
     return True
 
 
-def _rows(file: Any, first: int, stop: int, columns: list[str] | None) -> Any:
+def _rows(file: Any, first: int, stop: int, columns: list[str]) -> Any:
     """Some rows of a file; the row groups that hold them are read."""
     sizes = [file.metadata.row_group(i).num_rows for i in range(file.num_row_groups)]
     ends = np.cumsum(sizes)
@@ -275,10 +258,6 @@ def _rows(file: Any, first: int, stop: int, columns: list[str] | None) -> Any:
 @lru_cache(maxsize=1)
 def _trials_file(path: str, changed: int) -> tuple[Header, Any]:
     """A trials file in Arrow's memory, some 100 bytes a trial; ``changed``: when the file was written."""
-    with (
-        open_file(Path(path)) as opened,
-        pq.ParquetFile(opened, page_checksum_verification=True) as file,
-    ):
-        return _header(Path(path), file) or Header(), file.read(use_threads=False).replace_schema_metadata(
-            None
-        )
+    with parquet_file(Path(path)) as file:
+        table = file.read(use_threads=False).replace_schema_metadata(None)
+        return _header(Path(path), file) or Header(), table

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
-import pyarrow as pa
 from numpy.typing import NDArray
 
 from pointpred.recording import IN_MEMORY, Provenance, Recording, Skip, Trial
@@ -23,16 +21,6 @@ Codes = tuple[IntArray, list[str]]
 TARGET = ("target_x", "target_y", "target_w")
 TRIAL_COLUMNS = ("dataset", "user", "trial", *TARGET, "n_samples", "clean")
 """The columns of our own tables of trials; every other column is a condition."""
-PROBE = 1000
-"""Rows compared first: most varying columns differ within them."""
-MOST = 64
-"""Most columns that become conditions; the others are skipped."""
-WRAPPED = re.compile(r"np\.(?:float|int)\d+\(([^()]*)\)")
-OPENING, CLOSING = "[({", "])}"
-BRACKETS = OPENING + CLOSING
-MARKS = (";", "|", ",")
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
-CALL = re.compile(r"^(?:(?:np\.|numpy\.)?array|c|list)\s*(?=[\[(])")
 LATE_S, LATE_ROWS, LATE_SHARE = 0.1, 3, 0.1
 """Bounds on samples slightly out of order: how late, how many one after the other, their share of all."""
 MIRRORED_LEAST, MIRRORED = 8, -0.8
@@ -293,52 +281,6 @@ def keys_of(users: Codes, trials: Codes) -> tuple[IntArray, list[tuple[str, str]
     return group, keys
 
 
-def one_value(values: FloatArray, group: IntArray, count: int) -> FloatArray:
-    """The value of each trial, NaN if its rows differ or one is empty.
-
-    >>> one_value(np.array([1.0, 1.0, 2.0, 3.0]), np.array([0, 0, 1, 1]), 2)
-    array([ 1., nan])
-    """
-    last = np.full(count, np.nan)
-    last[group] = values
-    differs = np.zeros(count, dtype=bool)
-    differs[group[values != last[group]]] = True
-    return np.where(differs, np.nan, last)
-
-
-def conditions_of(
-    columns: dict[str, tuple[Any, IntArray]], group: IntArray, count: int
-) -> tuple[list[dict[str, str | float]], list[str]]:
-    """The conditions of each trial, and the columns that are not, because they vary within a trial.
-
-    ``columns``: the cells and the rows of them that belong to ``group``. Numbers stay numbers if every cell
-    is one; an empty cell is not a condition.
-    """
-    conditions: list[dict[str, str | float]] = [{} for _ in range(count)]
-    varying = list(columns)[MOST:]
-    for name, (column, rows) in list(columns.items())[:MOST]:
-        if pa.types.is_nested(column.type):
-            varying.append(name)
-            continue
-        of_trial, cells = _codes(column.take(pa.array(rows[:PROBE])), group[:PROBE], count)
-        if not np.isnan(of_trial[np.unique(group[:PROBE])]).any():
-            of_trial, cells = _codes(column.take(pa.array(rows)), group, count)
-        if np.isnan(of_trial).any():
-            varying.append(name)
-            continue
-        numbers, faults = arrow_tables.finite_numbers(pa.chunked_array([pa.array(cells, pa.string())]))
-        for index, code in enumerate(of_trial.astype(np.int64).tolist()):
-            if cells[code].strip():
-                conditions[index][condition_name(name)] = cells[code] if faults else float(numbers[code])
-    return conditions, varying
-
-
-def _codes(column: Any, group: IntArray, count: int) -> tuple[FloatArray, list[str]]:
-    """The index of each trial's only distinct cell, NaN if it has several; and the distinct cells."""
-    codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
-    return one_value(codes.astype(np.float64), group, count), cells
-
-
 def condition_cells(column: Any, *, text: bool) -> list[Any]:
     """The cells of a column of text: words where it is ``text`` or one is no number, ``None`` if empty."""
     values, wrong = arrow_tables.numbers(column)
@@ -351,126 +293,6 @@ def condition_cells(column: Any, *, text: bool) -> list[Any]:
 def is_condition(name: str) -> bool:
     """Whether a condition may have this name in pointpred's own files."""
     return bool(name) and name not in TRIAL_COLUMNS and name == name.strip(' "\r\n,') and "," not in name
-
-
-def condition_name(column: str) -> str:
-    """A column's name as a condition, valid in our own files.
-
-    >>> condition_name("trial"), condition_name("size, px")
-    ('trial_column', 'size px')
-    """
-    name = " ".join(column.replace(",", " ").replace('"', " ").split())
-    return f"{name}_column" if name in ("", *TRIAL_COLUMNS) else name
-
-
-def split(cell: str | None) -> list[str]:
-    """The items of a list in a cell, between commas, semicolons, bars or blanks, with or without brackets.
-
-    numpy's ``np.float64(1.0)`` counts as 1.0; a comma between other marks is a decimal comma.
-
-    >>> split("[1.5, np.float64(2.0)]"), split("1;2,5")
-    (['1.5', '2.0'], ['1', '2.5'])
-    """
-    inner = CALL.sub("", WRAPPED.sub(r"\1", cell or "").strip()).strip(BRACKETS).strip()
-    mark = next((mark for mark in MARKS if mark in inner), None)
-    items = [item.strip().strip("'\"") for item in (inner.rstrip(mark).split(mark) if inner else [])]
-    return items if mark in (",", None) else [item.replace(",", ".") for item in items]
-
-
-def is_list(cell: str) -> bool:
-    """Whether text is a list: in matching brackets, or several numbers.
-
-    >>> is_list("[7]"), is_list("1 2.5"), is_list("c(1, 2)"), is_list("7"), is_list("[1, 2"), is_list("a, b")
-    (True, True, True, False, False, False)
-    """
-    inner = CALL.sub("", cell.strip())
-    opened, closed = inner[:1] in OPENING, inner[-1:] in CLOSING
-    if not inner or opened != closed:
-        return False
-    items = split(cell)
-    filled = [item for item in items if item]
-    return opened or (len(filled) > 1 and all(NUMBER.fullmatch(item) for item in filled))
-
-
-class Lists:
-    """Trials one after another, each from lists of text or numbers; unreadable ones become skips."""
-
-    def __init__(self, sort: bool = False) -> None:
-        self._sort = sort
-        self.trials: list[Trial] = []
-        self.tables: list[FloatArray] = []
-        self.rows: list[int] = []
-        self.skipped: list[Skip] = []
-        self.row_of: dict[tuple[str, str], int] = {}
-        self.notes: list[str] = []
-
-    def skip(self, skip: Skip) -> None:
-        """Report a trial that cannot be read."""
-        self.skipped.append(skip)
-
-    def numbers(self, cells: Sequence[Any], trial: str, row: int) -> FloatArray | None:
-        """The cells as numbers; if one is not, the trial is reported and the answer is ``None``."""
-        for place, cell in enumerate(cells):
-            try:
-                float(cell)
-            except (TypeError, ValueError, OverflowError):
-                self.skip(Skip(trial, f"sample {place}: {str(cell)[:40]!r} is not a number", row))
-                return None
-        return np.array([float(cell) for cell in cells], np.float64)
-
-    def add(
-        self,
-        trial: Trial,
-        row: int,
-        t: Sequence[object],
-        x: Sequence[object],
-        y: Sequence[object],
-        buttons: Sequence[float] | None = None,
-        *,
-        scale: float,
-        gain: tuple[float, float] = (1.0, 1.0),
-    ) -> None:
-        """Add a trial: ``scale`` s a unit of time, from its first sample; ``gain`` px a unit of x, y."""
-        key = (trial.user, trial.trial)
-        if key in self.row_of:
-            self.skip(Skip(trial.trial, f"occurs twice, first in row {self.row_of[key]}", row, trial.user))
-            return
-        if not len(t) == len(x) == len(y):
-            words = f"{len(t)} times, {len(x)} x and {len(y)} y, expected as many of each"
-            self.skip(Skip(trial.trial, words, row, trial.user))
-            return
-        columns = []
-        for cells in (t, x, y):
-            numbers = self.numbers(cells, trial.trial, row)
-            if numbers is None:
-                return
-            columns.append(numbers)
-        self.row_of[key] = row
-        table = np.full((len(t), 6), np.nan)
-        table[:, 5] = 0.0 if buttons is None else buttons
-        if len(t):
-            with np.errstate(invalid="ignore", over="ignore"):
-                table[:, 0] = (columns[0] - columns[0][0]) * scale
-                table[:, 1] = columns[1] * gain[0] + 0.0  # no negative zero where an axis is turned
-                table[:, 2] = columns[2] * gain[1] + 0.0
-        self.trials.append(trial)
-        self.tables.append(table)
-        self.rows.append(row)
-
-    def recording(self, name: str, provenance: Provenance) -> Recording:
-        """The recording of the added trials; a fault's row is the row its trial was added with."""
-        sizes = [len(table) for table in self.tables]
-        return assemble(
-            name,
-            np.concatenate([*self.tables, np.empty((0, 6))]),
-            np.repeat(np.arange(len(sizes), dtype=np.int64), sizes),
-            self.trials,
-            skipped=self.skipped,
-            provenance=provenance,
-            notes=self.notes,
-            row_of=np.repeat(np.array(self.rows, dtype=np.int64), sizes),
-            sort=self._sort,
-        )
 
 
 def join(

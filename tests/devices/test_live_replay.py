@@ -181,7 +181,7 @@ def test_some_trials_are_played_in_the_order_asked_for(command: Callable[..., An
         (["--replay", "FILE", "--trial", "nobody"], 2, "nobody"),
         (["--replay", "FILE", "--speed", "0"], 2, "speed"),
         (["--trial", "1"], 2, "--replay"),
-        (["--cut", "whole"], 2, "--replay"),
+        (["--speed", "2"], 2, "--replay"),
     ],
 )
 def test_wrong_use_is_one_line(

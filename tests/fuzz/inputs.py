@@ -2,7 +2,7 @@
 
 Takes the files of ``inputs.toml`` in FOLDER. Each is cut, its bytes, lines and numbers are changed, 40 times
 or ``--each``, by a generator whose seed is the file's SHA-256; half of the damaged files are read with the
-options of the list, half with a mapping made of random columns, fields, units and paths. Reading must end in
+options of the list, half with a mapping made of random columns, fields and units. Reading must end in
 a recording that is in order or in an error of pointpred's own that names the file, within 5 s of the
 processor and 1 GiB. What does not is kept in a folder that is named, and the command ends in an error.
 Keeps its numbers for ``docs/evidence/inputs.md``. Linux only.
@@ -227,7 +227,6 @@ def strange_reading(names: list[str], chance: random.Random) -> Reading | None:
         "time_unit": chance.choice([None, "s", "ms", "us", "ns", "iso"]),
         "y_up": chance.random() < 0.3,
         "px_per_unit": chance.choice([None, None, 1e-9, 96.0, 1e300]),
-        "records": chance.choice([None, None, chance.choice([*names, *STRANGE])]),
         "cut": chance.choice([None, "clicks", "bursts", "whole"]),
     }
     try:

@@ -43,7 +43,7 @@ def parses_or_refuses(path: Path) -> None:
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda file: file.name)
-@settings(deadline=None, max_examples=120)
+@settings(deadline=None, max_examples=60)
 @given(changes=edits(1))
 def test_damaged_examples(example: Path, changes: Edits) -> None:
     with tempfile.TemporaryDirectory() as folder:
@@ -53,7 +53,7 @@ def test_damaged_examples(example: Path, changes: Edits) -> None:
 
 
 @pytest.mark.parametrize("extension", ["parquet", "csv"])
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=80)
 @given(changes=edits(1), trials=st.booleans())
 def test_damaged_own_files(extension: str, changes: Edits, trials: bool) -> None:
     with tempfile.TemporaryDirectory() as folder:

@@ -54,7 +54,7 @@ def recordings(draw: st.DrawFn) -> Recording:
 
 
 @pytest.mark.parametrize("extension", ["parquet", "csv"])
-@settings(deadline=None, suppress_health_check=[HealthCheck.too_slow], max_examples=150)
+@settings(deadline=None, suppress_health_check=[HealthCheck.too_slow], max_examples=60)
 @given(recording=recordings())
 def test_a_written_recording_is_read_exactly(extension: str, recording: Recording) -> None:
     with tempfile.TemporaryDirectory() as folder:

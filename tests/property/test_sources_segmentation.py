@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 
 from pointpred.recording import IN_MEMORY
 from pointpred.recordings.reading import Cut, Reading
+from pointpred.recordings.samples import Samples, recording_of
 from pointpred.recordings.segmentation import (
     cut,
     cut_at_clicks,
     cut_at_pauses,
-    trials_of_stream,
 )
 from pointpred.records import EventColumns
 
@@ -82,7 +82,15 @@ def test_bursts_move_at_both_ends_and_pause_between(stream: EventColumns, pause_
 
 @given(streams, st.sampled_from(HOWS))
 def test_a_stream_is_read_or_reported_whole(stream: EventColumns, how: Cut) -> None:
-    recording = trials_of_stream("s", stream, how, Reading(), user="u", provenance=IN_MEMORY)
+    samples = Samples(
+        name="s",
+        table=stream.table,
+        row_of=np.arange(len(stream)),
+        provenance=IN_MEMORY,
+        one_user="u",
+        cut=how,
+    )
+    recording = recording_of(samples, Reading())
     pieces = cut(stream, how, Reading())
     assert len(recording.trials) + len(recording.skipped) == len(pieces)
     begins = [float(trial.condition["begins_s"]) for trial in recording.trials]

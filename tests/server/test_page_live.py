@@ -185,6 +185,13 @@ KNOWN = """import("/web/page/live/movement.js").then(({ Movement }) => {
 })"""
 
 
+@pytest.fixture(scope="module")
+def known(url: str, one: Visitor) -> Visitor:
+    """A page on which functions are asked: one of all questions."""
+    one.open(f"{url}?by=service#live")
+    return one
+
+
 @pytest.mark.parametrize(
     ("said", "lead_s"),
     [
@@ -199,11 +206,11 @@ KNOWN = """import("/web/page/live/movement.js").then(({ Movement }) => {
     ],
 )
 def test_known_is_what_stays_known_until_the_arrival(
-    visitor: Visitor, said: list[list[float | None]], lead_s: float | None
+    known: Visitor, said: list[list[float | None]], lead_s: float | None
 ) -> None:
     """400 px in a second at a steady pace: within 40 px from 0.9 s on, arrived (3 %) at 0.97 s."""
     rows = [[i / 100, 4.0 * i, 0.0] for i in range(101)]
-    found = visitor.value(KNOWN.replace("ROWS", json.dumps(rows)).replace("SAID", json.dumps(said)))
+    found = known.value(KNOWN.replace("ROWS", json.dumps(rows)).replace("SAID", json.dumps(said)))
     assert found["arrival"] == pytest.approx(0.97)
     assert found["reached"] == pytest.approx(0.9)
     lead = found["predictors"][0]["lead_s"] if found["predictors"] else None
@@ -313,12 +320,12 @@ def test_a_parameter_that_is_refused_says_so_beside_it(visitor: Visitor) -> None
 
 
 @pytest.mark.parametrize("name", REGISTRY)
-def test_every_slider_covers_its_default_and_nothing_beyond_the_bounds(visitor: Visitor, name: str) -> None:
+def test_every_slider_covers_its_default_and_nothing_beyond_the_bounds(known: Visitor, name: str) -> None:
     settable = [one for one in describe(name)["parameters"] if one["default"] is not None]
     code = (
         f"import('/web/page/live/parameters.js').then(({{ rangeOf }}) => {json.dumps(settable)}.map(rangeOf))"
     )
-    for parameter, covered in zip(settable, visitor.value(code), strict=True):
+    for parameter, covered in zip(settable, known.value(code), strict=True):
         low, high = covered["from"], covered["to"]
         assert parameter["low"] <= low <= parameter["default"] <= high <= parameter["high"], parameter["name"]
         assert low < high

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import pointpred
-from pointpred.recordings.conversion import file_names
+from pointpred.recordings.writing import file_names
 from pointpred_server import listening
 from pointpred_server.listening import listen
 from tests.server import elsewhere

@@ -22,7 +22,7 @@ from pointpred.cli.app import SUMMARIES, app
 from pointpred.cli.help_text import add_help
 from pointpred.registry import REGISTRY, parameters
 
-COMMANDS = ("score", "simulate", "convert", "predictors", "serve")
+COMMANDS = ("score", "measures", "simulate", "convert", "predictors", "serve")
 GROUPED = (("datasets", "list"), ("datasets", "fetch"))
 
 

@@ -10,6 +10,8 @@ import pytest
 
 WRITING = {
     "convert": ("tests/data/sources/gofitts.sd3", "--out"),
+    "measures": ("sample", "--out"),
+    "measures drawn": ("sample", "--plot"),
     "reproduce": ("2.11", "--json"),
     "score": ("sample", "--predictors", "hold", "--json"),
     "score a report": ("sample", "--predictors", "hold", "--report"),
@@ -22,7 +24,8 @@ WRITING = {
 
 @pytest.mark.parametrize("name", WRITING)
 def test_a_file_that_is_there_stays(command: Callable[..., Any], tmp_path: Path, name: str) -> None:
-    ending = {"convert": ".csv", "simulate": ".csv", "train": ".npz"}.get(name, ".out")
+    endings = {"convert": ".csv", "simulate": ".csv", "train": ".npz", "measures": ".csv"}
+    ending = (endings | {"measures drawn": ".svg"}).get(name, ".out")
     target = tmp_path / f"mine_samples{ending}"
     target.write_text("mine", encoding="utf-8")
     words = [str(tmp_path / "new.npz") if word == "NEW" else word for word in WRITING[name]]
@@ -39,3 +42,16 @@ def test_results_are_replaced_with_force(command: Callable[..., Any], tmp_path: 
     left = command("score", "sample", "--predictors", "hold", "--json", target, "--force")
     assert left.code == 0, left.err
     assert target.read_text(encoding="utf-8").startswith("{")
+
+
+def test_a_report_in_a_folder_is_replaced_with_force_only(
+    command: Callable[..., Any], tmp_path: Path
+) -> None:
+    (tmp_path / "paper").mkdir()
+    page = tmp_path / "paper" / "report.html"
+    page.write_text("mine", encoding="utf-8")
+    words = ("score", "sample", "--predictors", "hold", "--report", page.parent)
+    left = command(*words)
+    assert left.code == 2
+    assert f"{page} exists" in left.err
+    assert page.read_text(encoding="utf-8") == "mine"

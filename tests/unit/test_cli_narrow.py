@@ -61,6 +61,13 @@ def test_scores_have_a_line_each(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.usefixtures("terminal")
+def test_measures_have_a_line_each(command: Any) -> None:
+    lines = lines_of(command("measures").out)
+    assert sum(line.startswith("p") and line[1:3].isdigit() for line in lines) == 10
+    assert sum(line.endswith(" ID  bits/s") for line in lines) == 2
+
+
+@pytest.mark.usefixtures("terminal")
 def test_datasets_have_a_line_each_and_how_to_get_them(command: Any) -> None:
     lines = lines_of(command("datasets", "list").out.replace(listing()[8].page, ""))
     for one in listing():

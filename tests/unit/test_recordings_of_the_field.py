@@ -217,6 +217,7 @@ def test_words_for_buttons_are_read_by_rule(name: str) -> None:
             (word, 0)
             for word in (
                 "click_released",
+                "unclicked",
                 "pointermove",
                 "touch-end",
                 "left up",
@@ -232,6 +233,112 @@ def test_words_for_buttons_are_read_by_rule(name: str) -> None:
 def test_a_word_for_a_button_is_a_device_a_button_and_what_happened(cell: str, value: int | None) -> None:
     found = pressed(cell)
     assert found == value if value is not None else found != found
+
+
+def test_a_column_that_names_buttons_is_not_guessed_beside_one_that_tells_their_release(
+    tmp_path: Path,
+) -> None:
+    lines = ["t_ms,x,y,button,action"]
+    for at in range(40):
+        action = {10: "clicked", 14: "unclicked"}.get(at, "moved")
+        lines.append(f"{16 * at},{at},{at},{'' if action == 'moved' else 'Button.left'},{action}")
+    path = lines_file(tmp_path / "logger.csv", *lines)
+    recording = one(path)
+    said = "buttons is not read: button or action may be meant; name one with --columns buttons=..."
+    assert said in recording.notes
+    assert not any("for they hold lists: button" in note for note in recording.notes)
+    assert not recording.events.buttons.any()
+    told = one(path, Reading(columns={"buttons": "action"}, cut="whole"))
+    assert np.flatnonzero(told.events.buttons).tolist() == [10, 11, 12, 13]
+
+
+DRAG = ("move", "down", "move", "move", "up", "move", "click", "move")
+
+
+@pytest.mark.parametrize("words", [DRAG, tuple(f"mouse{word}" if word != "click" else word for word in DRAG)])
+def test_a_press_told_by_a_word_lasts_until_its_release(tmp_path: Path, words: tuple[str, ...]) -> None:
+    rows = [f"{16 * at},{at},{at},{word}" for at, word in enumerate((*words, *["move"] * 12))]
+    reading = Reading(columns={"buttons": "event"}, cut="whole")
+    recording = one(lines_file(tmp_path / "page.csv", "t_ms,x,y,event", *rows), reading)
+    assert np.flatnonzero(recording.events.buttons).tolist() == [1, 2, 3]
+    rows[3], rows[4] = rows[4], rows[3]  # the release is logged before a move that was before it
+    recording = one(lines_file(tmp_path / "late.csv", "t_ms,x,y,event", *rows), reading)
+    assert np.flatnonzero(recording.events.buttons).tolist() == [1, 2, 3]
+
+
+def test_a_press_lasts_no_longer_than_its_user_trial_and_clock(tmp_path: Path) -> None:
+    rows = [
+        f"{user},{trial},{16 * at},{at},{at},{word}"
+        for user in "ab"
+        for trial in (1, 2)
+        for at, word in enumerate(("move", "left down", "right down", "right up", "move"))
+    ]
+    path = lines_file(tmp_path / "page.csv", "user,trial,t_ms,x,y,event", *rows)
+    recording = one(path, Reading(columns={"buttons": "event"}))
+    assert recording.events.buttons.tolist() == [0, 1, 3, 1, 1] * 4
+    stream = lines_file(tmp_path / "stream.csv", "t_ms,x,y,event", *[row[4:] for row in rows[:10]])
+    recording = one(stream, Reading(columns={"buttons": "event"}, cut="whole"))
+    assert recording.events.buttons.tolist() == [0, 1, 3, 1, 1] * 2
+    words = {0: "down", 13: "up"}
+    runs = [
+        f"{trial},{16 * at},{at},{at},{words.get(at, 'move')}"
+        for at, trial in enumerate("1" * 9 + "2" * 9 + "1" * 9)
+    ]
+    path = lines_file(tmp_path / "runs.csv", "trial,t_ms,x,y,event", *runs)
+    recording = one(path, Reading(columns={"buttons": "event"}))
+    assert recording.events.buttons.tolist() == [1] * 9 + [0] * 18
+
+
+@pytest.mark.parametrize("cells", [("true", "false"), ("1", "0"), ("True", "False"), ("2", "0")])
+def test_an_empty_cell_of_buttons_says_no_change_where_releases_are_told(
+    tmp_path: Path, cells: tuple[str, str]
+) -> None:
+    told = {2: cells[0], 5: cells[1]}
+    rows = [f"{16 * at},{at},{at},{told.get(at, '')}" for at in range(9)]
+    path = lines_file(tmp_path / "logger.csv", "t_ms,x,y,pressed", *rows)
+    recording = one(path, Reading(cut="whole"))
+    assert np.flatnonzero(recording.events.buttons).tolist() == [2, 3, 4]
+    rows = [
+        f'{{"t_ms": {16 * at}, "x": {at}, "y": {at}, "pressed": {told.get(at, "null").lower()}}}'
+        for at in range(9)
+    ]
+    recording = one(lines_file(tmp_path / "logger.jsonl", *rows), Reading(cut="whole"))
+    assert np.flatnonzero(recording.events.buttons).tolist() == [2, 3, 4]
+    rows[5] = rows[4].replace("64", "80")
+    recording = one(lines_file(tmp_path / "presses.jsonl", *rows), Reading(cut="whole"))
+    assert np.flatnonzero(recording.events.buttons).tolist() == [2]
+
+
+def test_a_press_ends_at_the_next_row_where_no_release_is_told(tmp_path: Path) -> None:
+    words = ("mousemove", "mousedown", "mousemove", "mouseleave", "mousemove")
+    path = lines_file(
+        tmp_path / "page.csv", "t_ms,x,y,event", *[f"{16 * at},{at},{at},{w}" for at, w in enumerate(words)]
+    )
+    recording = one(path, Reading(columns={"buttons": "event"}, cut="whole"))
+    assert recording.events.buttons.tolist() == [0, 1, 0, 0, 0]
+
+
+def test_words_that_tell_of_drags_hold_for_their_row(tmp_path: Path) -> None:
+    rows = [
+        f"{16 * at},{at},{at},{word}"
+        for at, word in enumerate(("Move", "Pressed", "Drag", "Move", "Released"))
+    ]
+    path = lines_file(tmp_path / "state.csv", "t_ms,x,y,state", *rows)
+    assert one(path, Reading(cut="whole")).events.buttons.tolist() == [0, 1, 1, 0, 0]
+
+
+def test_words_of_a_row_without_a_position_need_be_no_button(tmp_path: Path) -> None:
+    rows = [f"mouse move;{16 * at};({at}, {at})" for at in range(12)]
+    rows[5], rows[8] = "mouse left down;80;(5, 5)", "mouse left up;128;(8, 8)"
+    rows.insert(7, "key down;104;A")
+    fields: dict[str, str | int] = {"t": "1", "x": "2.0", "y": "2.1", "buttons": "0"}
+    recording = one(lines_file(tmp_path / "hook.txt", *rows), Reading(columns=fields, cut="whole"))
+    assert recording.events.x.tolist() == list(range(12))
+    assert np.flatnonzero(recording.events.buttons).tolist() == [5, 6, 7]
+    assert any("rows left out: 1, the first is data row 7" in note for note in recording.notes)
+    rows[7] = "key down;104;(7, 7)"
+    with pytest.raises(RecordingError, match="data row 7: 0 is 'key down', expected buttons"):
+        one(lines_file(tmp_path / "hook.txt", *rows), Reading(columns=fields, cut="whole"))
 
 
 def test_words_in_lists_of_buttons_are_read_alike(tmp_path: Path) -> None:

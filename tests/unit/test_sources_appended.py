@@ -100,7 +100,13 @@ def test_zeros_after_a_loss_of_power_count_as_the_cut_line(tmp_path: Path) -> No
 
 @pytest.mark.parametrize(
     ("old", "new"),
-    [(b"8.25", b"later"), (b"20,30", b"20"), (b"buttons", b"knobs"), (b'"append":true', b'"append":false')],
+    [
+        (b"8.25", b"later"),
+        (b"20,30", b"20"),
+        (b"buttons", b"knobs"),
+        (b"buttons\n", b'"buttons\n\xde"\n'),
+        (b'"append":true', b'"append":false'),
+    ],
 )
 def test_damage_elsewhere_is_an_error(old: bytes, new: bytes, tmp_path: Path) -> None:
     path = tmp_path / "bad_samples.csv"

@@ -16,8 +16,8 @@ import pytest
 from msgspec.structs import replace
 
 from pointpred.recordings import read, write
-from pointpred.recordings.appended import SAMPLES
 from pointpred.recordings.arrow_tables import in_memory, open_file
+from pointpred.recordings.own import RECORDED
 
 ROWS = "user,trial,t_s,x_px,y_px\na,1,0,1,2\na,1,0.01,3,4\n"
 
@@ -67,7 +67,7 @@ def test_no_reader_and_no_writer_gets_a_python_file(
     path, _ = write(recording, tmp_path / os.fsdecode(b"n\xe9 two." + end.encode()))
     assert read(path).events.x.tolist() == recording.events.x.tolist() == [1.0, 3.0]
     live = tmp_path / "live_samples.csv"
-    live.write_text(f'# pointpred:{{"append":true,"version":1}}\n{",".join(SAMPLES)}\na,1,0,1,2,,,0\n')
+    live.write_text(f'# pointpred:{{"append":true,"version":1}}\n{",".join(RECORDED)}\na,1,0,1,2,,,0\n')
     read(live)
     assert len(handed) >= 6
     assert {type(file) for file in handed} <= {pa.OSFile, pa.BufferReader}

@@ -102,11 +102,17 @@ def test_sheets_are_named_and_titles_above_the_table_left_out(tmp_path: Path) ->
             sheet.append(row)
     book.save(path)
     first = {"t": [0, 8], "x.1": [1, 3], "y": [2, None], "x.3": [None, 4], "4": [None, "more"]}
-    assert workbook.read(path, Reading(records="first")).columns == first
-    assert workbook.read(path, Reading(records="bare")).columns == {"0": [0, 8], "1": [1, 3], "2": [2, 4]}
-    for wanted in ("few", "none"):
-        with pytest.raises(RecordingError, match=r"own\.xlsx"):
-            workbook.read(path, Reading(records=wanted))
+    assert workbook.read(path, Reading(columns={"x": "x.1"})).columns == first
+    bare = Reading(columns={"t": 0, "x": 1, "y": 2})
+    with pytest.raises(RecordingError, match=r"own\.xlsx: records lie at 'first' .*'bare'"):
+        workbook.read(path, bare)
+    del book["first"]
+    book.save(path)
+    assert workbook.read(path, bare).columns == {"0": [0, 8], "1": [1, 3], "2": [2, 4]}
+    del book["bare"]
+    book.save(path)
+    with pytest.raises(RecordingError, match=r"own\.xlsx: no table of 3 columns .*Sheet, few"):
+        workbook.read(path, bare)
 
 
 def test_a_sheet_that_claims_a_huge_size_costs_nothing(tmp_path: Path) -> None:
@@ -190,8 +196,6 @@ def test_structures_and_cells_of_matlab_are_a_row_a_trial(tmp_path: Path) -> Non
     table = matlab.read(tmp_path / "own.mat").columns
     assert table["x"] == [X[:12].tolist(), X[:7].tolist()]
     assert (table["id"], table["user"]) == ([1, 2], ["p", "p"])
-    second = matlab.read(tmp_path / "own.mat", Reading(records="block.trials.1")).columns
-    assert second["x"] == X[:7].tolist()
     cells = np.empty(2, object)
     cells[0], cells[1] = np.column_stack([T, X, Y]), np.column_stack([T, X, Y])[:5]
     savemat(tmp_path / "own.mat", {"track": cells})
@@ -205,6 +209,19 @@ def test_objects_of_matlab_are_named(tmp_path: Path) -> None:
     savemat(tmp_path / "own.mat", {"z": T * 1j})
     with pytest.raises(RecordingError, match="complex: z"):
         matlab.read(tmp_path / "own.mat")
+
+
+def test_a_string_object_beside_vectors_is_left_aside(tmp_path: Path) -> None:
+    """What MATLAB's own ``s = "ab"`` is saved as has no dimensions, unlike every other array."""
+    savemat(tmp_path / "own.mat", {"t": T, "x": X, "y": Y})
+    content = struct.pack("<IIII", 6, 8, 17, 0)
+    for word in (b"s", b"MCOS", b"string"):
+        content += struct.pack("<II", 1, len(word)) + word.ljust(8, b"\0")
+    with (tmp_path / "own.mat").open("ab") as file:
+        file.write(struct.pack("<II", 14, len(content)) + content)
+    table = matlab.read(tmp_path / "own.mat")
+    assert table.columns["x"] == X.tolist()
+    assert any("strings) or complex: s" in note for note in table.notes)
 
 
 def test_damaged_matlab_files_are_refused_or_read(tmp_path: Path) -> None:
@@ -264,22 +281,23 @@ def streams(path: Path, *parts: bytes) -> Path:
     return path
 
 
-def test_the_stream_of_xdf_is_chosen_by_name_type_or_labels(tmp_path: Path) -> None:
+def test_the_stream_of_xdf_is_chosen_by_type_or_labels(tmp_path: Path) -> None:
     rows = [(float(at), 2.0) for at in range(4)]
     parts = [
         stream_header(1, "Left", "Position", ["x", "y"]),
         stream_header(2, "Right", "Position", ["x", "y"]),
         stream_header(3, "Keys", "Markers", ["key"], "string"),
-        *(stream_samples(number, [1.0, 1.1, 1.2, 1.3], rows) for number in (1, 2)),
+        stream_header(4, "Gaze", "Eyes", ["gx", "gy"]),
+        *(stream_samples(number, [1.0, 1.1, 1.2, 1.3], rows) for number in (1, 2, 4)),
     ]
     path = streams(tmp_path / "two.xdf", *parts)
-    with pytest.raises(RecordingError, match=r"Left.*Right"):
+    with pytest.raises(RecordingError, match=r"--columns.*Left \(type Position, 2 channels\): x, y; Right"):
         xdf.read(path)
-    assert xdf.read(path, Reading(records="Right")).notes[0].startswith("stream Right")
-    for wanted in ("Keys", "position", "Middle"):
-        with pytest.raises(RecordingError, match="--records"):
-            xdf.read(path, Reading(records=wanted))
-    path = streams(tmp_path / "one.xdf", parts[0], parts[2], parts[3])
+    assert xdf.read(path, Reading(columns={"x": "gx", "y": "gy"})).notes[0].startswith("stream Gaze")
+    for wanted in ("key", "x", "z"):
+        with pytest.raises(RecordingError, match="--columns"):
+            xdf.read(path, Reading(columns={"x": wanted}))
+    path = streams(tmp_path / "one.xdf", parts[0], parts[2], parts[4])
     assert xdf.read(path).columns["x"].tolist() == [0, 1, 2, 3]
 
 

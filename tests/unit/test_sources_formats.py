@@ -54,11 +54,11 @@ def test_balabit_is_cut_from_click_to_click() -> None:
         [0, 100, 200, 0], [250000, 110, 190, 0], [250000, 120, 185, 0], [500000, 120, 185, 1],
         [0, 130, 185, 0], [250000, 140, 180, 0], [750000, 150, 180, 2],
     ]  # fmt: skip
-    assert [trial.condition["begins_s"] for trial in recording.trials] == [0.0, 1.0]
+    assert [trial.condition["begins_s"] for trial in recording.trials] == [10.0, 11.0]
     assert {trial.user for trial in recording.trials} == {"user7"}
     assert recording.skipped == (
-        Skip("rows 4 to 4", "a button is held", 4),
-        Skip("rows 12 to 13", "no click ends it", 12),
+        Skip("rows 4 to 4", "a button is held", 4, "user7"),
+        Skip("rows 12 to 13", "no click ends it", 12, "user7"),
         Skip("2", "x is 65535, the logger had no position", 10, "user7"),
     )
     assert recording.notes == ("wheel rows left aside: 1",)
@@ -74,13 +74,18 @@ def test_sapimouse_counts_milliseconds() -> None:
     assert recording.provenance.clock == "the client's clock, ms"
 
 
-def test_an_infinite_time_costs_its_trial_only(tmp_path: Path) -> None:
+def test_a_sample_at_an_infinite_time_is_left_out_and_named(tmp_path: Path) -> None:
     text = (DATA / "user7" / "session_2020_05_14_1min.csv").read_text(encoding="utf-8")
     path = tmp_path / "session"
     path.write_text(text.replace("8,NoButton,Move,14", "1e999,NoButton,Move,14", 1), encoding="utf-8")
     (recording,) = read_any(path)
-    assert recording.skipped == (Skip("0", "client timestamp is 'inf', expected a number", 1, tmp_path.name),)
-    assert rows(recording) == [[0, 14, 23, 0], [8000, 20, 31, 0], [150000, 22, 31, 1]]
+    assert recording.skipped == ()
+    assert rows(recording) == [
+        [0, 10, 20, 0], [16000, 14, 23, 1],
+        [0, 14, 23, 0], [8000, 20, 31, 0], [150000, 22, 31, 1],
+    ]  # fmt: skip
+    why = "t (client timestamp) is 'inf', expected a number"
+    assert recording.notes == (f"rows left out: 1, the first is data row 1: {why}",)
 
 
 @pytest.mark.parametrize("name", ["jspsych.json", "jspsych.csv"])
@@ -105,7 +110,7 @@ def test_mousetrap_with_and_without_brackets() -> None:
     ]  # fmt: skip
     assert [(trial.user, trial.trial) for trial in recording.trials] == [("4", "0"), ("4", "2")]
     assert recording.skipped == (Skip("1", "no movement: every position equals the first", 1, "4"),)
-    assert recording.notes == ("1 cells hold no track",)
+    assert recording.notes == ("rows without lists of times and positions: 1",)
     assert (recording.provenance.origin, recording.provenance.y_axis) == ("centre of the screen", "down")
 
 
@@ -160,7 +165,7 @@ def test_evemu_counts_are_the_position() -> None:
         [0.008, 2, 5, -5, 0, 0],
     ]
     np.testing.assert_allclose(recording.events.table, expected, atol=1e-12)
-    assert recording.skipped == (Skip("rows 7 to 7", "no movement", 7),)
+    assert recording.skipped == (Skip("rows 7 to 7", "no movement", 7, "unknown"),)
     assert recording.notes == ("frames without motion or button left aside: 1",)
     assert (recording.provenance.unit, recording.trials[0].condition["device"]) == (
         "counts",

@@ -19,12 +19,12 @@ from pointpred.errors import RecordingError
 from pointpred.recordings import (
     Reading,
     format_of,
-    nested_records,
     read_any,
+    table_choice,
 )
+from pointpred.recordings.columns.list_cells import is_list, split
 from pointpred.recordings.columns.names import guess
 from pointpred.recordings.formats import json_records as records_json
-from pointpred.recordings.trials import is_list, split
 from tests.unit.writing_containers import NAMES, ROWS, TRIALS, nested
 
 SAMPLES = [{"t": 8.0 * at, "x": 2.0 * at, "y": float(at % 3)} for at in range(20)]
@@ -32,15 +32,14 @@ ARRAYS = [list(sample.values()) for sample in SAMPLES]
 COLUMNS = {name: [sample[name] for sample in SAMPLES] for name in ("t", "x", "y")}
 LISTS = {f"samples.{name}": [cells, cells[:5]] for name, cells in COLUMNS.items()}
 FRAME = pd.DataFrame(SAMPLES)
-EVERY = "people.*.trials.*.samples"
 
 
-def columns_of(path: Path, document: Any, records: str | None = None) -> dict[str, Any]:
+def columns_of(path: Path, document: Any, **columns: str) -> dict[str, Any]:
     path.write_text(document if isinstance(document, str) else json.dumps(document), encoding="utf-8")
     form = format_of(path)
     assert form is not None
     assert form.key == "json"
-    return records_json.read(path, Reading(records=records)).columns
+    return records_json.read(path, Reading(columns=dict(columns) or None)).columns
 
 
 @pytest.mark.parametrize(
@@ -101,21 +100,22 @@ def test_pandas_reads_the_same_columns(tmp_path: Path) -> None:
     assert columns_of(tmp_path / "own.json", rows) == pd.read_json(io.StringIO(text)).to_dict("list")
 
 
-def test_a_path_with_stars_repeats_what_lies_beside_it(tmp_path: Path) -> None:
+def test_what_lies_beside_the_path_is_repeated(tmp_path: Path) -> None:
     path = tmp_path / "own.json"
-    found = columns_of(path, nested(), EVERY)
-    assert [*zip(*(found[name] for name in NAMES), strict=True)] == ROWS
+    found = columns_of(path, nested())
+    samples = [found[f"samples.{name}"] for name in NAMES[:3]]
+    rows = [
+        (*sample, user, trial)
+        for *lists, user, trial in zip(*samples, found["user"], found["trial"], strict=True)
+        for sample in zip(*lists, strict=True)
+    ]
+    assert rows == ROWS
     assert set(found["study"]) == {"our own"}
-    (recording,) = read_any(path, Reading(records=EVERY))
+    (recording,) = read_any(path)
     assert [(trial.user, trial.trial) for trial in recording.trials] == [(u, str(n)) for u, n in TRIALS]
-    (whole,) = read_any(path)  # without a path: a row a trial
-    assert [trial.trial for trial in whole.trials] == ["1", "2", "1", "2"]
-    np.testing.assert_allclose(whole.events.table, recording.events.table, atol=1e-12)
-    assert set(columns_of(path, nested(), "people.1.trials.*.samples")["user"]) == {"p2"}
-    assert columns_of(path, nested(), "people.0.trials")["trial"] == [1, 2]
-    assert columns_of(path, nested(), "people.0") == columns_of(path, nested(), "people.0.trials")
-    assert columns_of(path, {"a.b": {"c": SAMPLES}}, "a.b.c") == COLUMNS
-    outer = columns_of(path, {"t": "12:30", "trials": [{"x": 0, "samples": SAMPLES}]}, "trials.*.samples")
+    np.testing.assert_allclose(recording.events.x, [row[1] for row in ROWS], atol=1e-12)
+    assert columns_of(path, {"a.b": {"c": SAMPLES}}) == COLUMNS
+    outer = columns_of(path, {"t": "12:30", "x": 0, "samples": SAMPLES})
     assert outer["t"] == COLUMNS["t"]
     assert set(outer["outer.t"]) == {"12:30"}
     assert set(outer["outer.x"]) == {0}
@@ -136,32 +136,43 @@ def test_a_group_of_columns_is_taken_where_it_is_the_only_one() -> None:
 
 def test_trials_in_lists_of_lists_stay_apart(tmp_path: Path) -> None:
     people = {"people": [{"id": "a", "tracks": [ARRAYS, ARRAYS]}, {"id": "b", "tracks": [ARRAYS]}]}
-    found = columns_of(tmp_path / "own.json", people, "people.*.tracks.*")
+    found = columns_of(tmp_path / "own.json", people)
     assert [*dict.fromkeys(zip(found["id"], found["trial"], strict=True))] == [("a", 0), ("a", 1), ("b", 0)]
     deep = columns_of(tmp_path / "own.json", {"data": [[ARRAYS, ARRAYS], [ARRAYS]]})
     assert [*dict.fromkeys(deep["trial"])] == ["0.0", "0.1", "1.0"]
 
 
 @pytest.mark.parametrize(
-    ("document", "records", "words"),
+    ("document", "words"),
     [
-        ({"mouse": SAMPLES, "gaze": SAMPLES}, None, ["mouse (20 rows: t, x, y)", "gaze", "--records mouse"]),
-        ({"data": {"mouse": SAMPLES}}, "data.mice", ["data.mice", "--records data.mouse"]),
-        ({"data": SAMPLES}, "data.99", ["--records data"]),
-        ([1, 2, 3], None, ["no list of records"]),
-        ({"a": 1}, None, ["no list of records"]),
-        ('{"t": 1,\n "x": 2,,}', None, ["no JSON"]),
-        ('{"t": 1}\n{"t": 2\n{"t": 3}\n', None, ["line 2"]),
-        ("[" * 100_000, None, ["nested"]),
-        ('{"a":' * 200 + "1" + "}" * 200, None, ["nested"]),
+        ({"mouse": SAMPLES, "gaze": SAMPLES}, ["mouse (20 rows: t, x, y)", "gaze", "as CSV", "--columns t="]),
+        ([1, 2, 3], ["no list of records"]),
+        ({"a": 1}, ["no list of records"]),
+        ('{"t": 1,\n "x": 2,,}', ["no JSON"]),
+        ('{"t": 1}\n{"t": 2\n{"t": 3}\n', ["line 2"]),
+        ("[" * 100_000, ["nested"]),
+        ('{"a":' * 200 + "1" + "}" * 200, ["nested"]),
     ],
 )
-def test_refusals_name_the_paths_that_hold_records(
-    document: Any, records: str | None, words: list[str], tmp_path: Path
-) -> None:
+def test_refusals_name_the_paths_that_hold_records(document: Any, words: list[str], tmp_path: Path) -> None:
     with pytest.raises(RecordingError) as caught:
-        columns_of(tmp_path / "own.json", document, records)
+        columns_of(tmp_path / "own.json", document)
     assert all(word in str(caught.value) for word in ["own.json", *words])
+
+
+def test_of_several_lists_the_one_with_times_and_positions_is_read(tmp_path: Path) -> None:
+    keys = [{"time": at, "key": "a", "code": at} for at in range(90)]
+    gaze = [{"at": at, "gx": at, "gy": at, "size": 1} for at in range(25)]
+    document = {"keys": keys, "mouse": SAMPLES, "gaze": gaze}
+    assert columns_of(tmp_path / "own.json", document) == COLUMNS
+    assert columns_of(tmp_path / "own.json", document, t="at", x="gx", y="gy")["gx"] == [*range(25)]
+    assert columns_of(tmp_path / "own.json", document, user="code", x="key", y="time")["code"] == [*range(90)]
+    (recording,) = read_any(tmp_path / "own.json")
+    assert any(
+        note == "other lists of records left aside: keys (90 rows: time, key, code); "
+        "gaze (25 rows: at, gx, gy, size)"
+        for note in recording.notes
+    )
 
 
 def test_a_cut_last_line_is_left_aside(tmp_path: Path) -> None:
@@ -218,7 +229,7 @@ def test_any_numbers_come_back(rows: list[tuple[float, ...]], arrangement: str) 
         "lists": columns,
     }
     value = records_json.parse(json.dumps(documents[arrangement]))
-    assert records_json.table_at(Path("own.json"), value, None, "JSON").columns == columns
+    assert table_choice.table_in(Path("own.json"), value, "JSON", Reading()).columns == columns
 
 
 @given(
@@ -285,20 +296,6 @@ def test_tracks_as_json_in_the_cells_of_a_table(tmp_path: Path) -> None:
     for index, key in enumerate([("p1", 1), ("p2", 2)]):
         np.testing.assert_allclose(recording.rows(index).table[:, :3] * [1000, 1, 1], TRIALS[key], atol=1e-9)
     assert any("trajectory that are no JSON: 1" in note for note in recording.notes)
-
-
-def test_a_path_of_very_many_names_is_followed_in_little_work(tmp_path: Path) -> None:
-    class Names(dict[str, Any]):
-        looks = 0
-
-        def __contains__(self, name: object) -> bool:
-            self.looks += 1
-            return super().__contains__(name)
-
-    document = Names()
-    with pytest.raises(RecordingError):
-        nested_records.table_at(tmp_path, document, ".".join(["a"] * 16_000), "JSON")
-    assert document.looks <= nested_records.MOST_DEPTH
 
 
 def test_no_column_is_lost_where_names_occur_twice(tmp_path: Path) -> None:

@@ -111,8 +111,8 @@ def test_conditions_are_kept_and_come_back(tmp_path: Path, ending: str) -> None:
         for trial in read(summary.files[0]).trials
     ]
     assert about == [
-        {"cue": "left", "block": 1.0, "ok": 1.0},
-        {"cue": "right", "block": 2.0, "ok": 0.0, "rt": "350.5"},
+        {"cue": "left", "block": 1.0, "ok": "true", "clean_column": "x"},
+        {"cue": "right", "block": 2.0, "ok": "false", "rt": "350.5"},
         {"cue": "3", "block": 2.0, "rt": "late"},
     ]
 

@@ -71,7 +71,7 @@ def test_a_table_that_holds_no_movement_names_its_columns(tmp_path: Path) -> Non
 
 def test_a_way_of_cutting_that_does_nothing_is_said(tmp_path: Path) -> None:
     (recording,) = read_any(DATA / "gofitts.sd3", Reading(cut="bursts"))
-    assert recording.notes[-1] == "cut 'bursts' has no effect: GoFitts .sd3 has trials of its own"
+    assert recording.notes[-1] == "cut 'bursts' has no effect: the file has trials of its own"
     (stream,) = read_any(DATA / "mouse.evemu", Reading(cut="whole"))
     assert not [note for note in stream.notes if "no effect" in note]
 

@@ -35,6 +35,18 @@ def test_usual_names_need_no_word(tmp_path: Path) -> None:
     assert recording.provenance.y_axis == "up"
 
 
+def test_rows_that_no_column_holds_are_not_believed(tmp_path: Path) -> None:
+    """Arrow makes room for the rows that are claimed before it reads one."""
+    path = parquet(tmp_path, t_ms=[10 * i for i in range(COUNT)], x=X, y=Y)
+    data = path.read_bytes()
+    footer = len(data) - 8 - int.from_bytes(data[-8:-4], "little")
+    count, more = bytes([0x16, 2 * COUNT]), bytes([0x16, 2 * COUNT + 2])  # as Thrift writes it
+    for place in (data.index(count, footer), data.rindex(count)):  # of the file, of its row group
+        path.write_bytes(data[:place] + more + data[place + 2 :])
+        with pytest.raises(RecordingError, match=r"study\.parquet: damaged"):
+            read_any(path)
+
+
 def test_other_names_are_refused_with_a_mapping_to_try_and_read_by_it(tmp_path: Path) -> None:
     path = parquet(tmp_path, clock=[16 * i for i in range(COUNT)], across=X, up=Y, picture=[b"\0"] * COUNT)
     with pytest.raises(ColumnsError, match=r"pointpred score .*study\.parquet --columns") as refusal:

@@ -92,7 +92,7 @@ def test_a_file_that_names_nobody_is_one_person(tmp_path: Path) -> None:
         written(tmp_path, TRACK | {"favourite": "tea"}, name=f"{name}.csv")
     [folder] = read_any(tmp_path)
     assert sorted(trial.user for trial in folder.trials) == ["anna", "ben"]
-    assert sum("one person" in note for note in folder.notes) == 2
+    assert sum("one user" in note for note in folder.notes) == 2
     named = written(tmp_path, TRACK | {"subject_id": "s4"}, TRACK | {"subject_id": ""}, name="x.csv")
     assert [trial.user for trial in read_any(named)[0].trials] == ["s4", "s4"]
 

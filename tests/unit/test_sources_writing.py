@@ -80,7 +80,7 @@ def test_a_file_that_cannot_take_its_place_brings_back_the_others(
 
     monkeypatch.setattr(Path, "replace", refuse)
     if not links:
-        monkeypatch.setattr(writing.os, "link", no_links)
+        monkeypatch.setattr("os.link", no_links)
     with pytest.raises(RecordingError, match=rf"{names[at - 1]}: cannot be written: opened by"):
         convert(FITTS, tmp_path / "study.csv")
     assert contents(tmp_path) == was

@@ -33,7 +33,7 @@ from pointpred.datasets import sample
 from pointpred.protocol.client_messages import VERSION
 from pointpred.protocol.frames import pack_events, pack_predictions, row_of_prediction, unpack_predictions
 from pointpred.protocol.server_messages import PredictionMessage
-from pointpred.recordings.arrow_tables import EVENT_COLUMNS
+from pointpred.recordings.own import EVENT_COLUMNS
 from pointpred.records import EVENT_FIELDS, PHASES, PREDICTION_FIELDS, FloatArray
 
 CPI, DPI = 800.0, 96.0

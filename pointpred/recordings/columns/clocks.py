@@ -10,9 +10,8 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from pointpred.recordings import arrow_tables
-from pointpred.recordings.columns.list_rows import holds_lists, steps_of
 from pointpred.recordings.columns.names import has_other_unit, unit_in
-from pointpred.recordings.trials import codes_of
+from pointpred.recordings.trials import Codes
 from pointpred.records import FloatArray
 
 PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9, "iso": 1e9}
@@ -154,9 +153,6 @@ def units_of(name: str, column: Any, time_unit: str | None) -> tuple[list[str], 
         return [named], f" in {named}"
     if has_other_unit(name):
         return [], ""
-    if holds_lists(column):
-        times = steps_of(column)
-        return likely_units(times, times)
     return likely_units(clock(column)[0], arrow_tables.finite_numbers(column.slice(0, HEAD))[0])
 
 
@@ -200,26 +196,22 @@ def unit_by_size(numbers: FloatArray) -> str | None:
 
 def counts_frames(column: Any) -> bool:
     """Whether a column of times increases by whole ones only, like a frame or row number."""
-    steps = forwards(steps_of(column) if holds_lists(column) else clock(column)[0])
+    steps = forwards(clock(column)[0])
     return bool(len(steps)) and bool(np.all(steps == 1))
 
 
 def is_clock(column: Any) -> bool:
     """Whether the first cells of a column are times that never decrease and mostly increase."""
     head = column.slice(0, HEAD)
-    if holds_lists(head):
-        return False
     times = clock(head, is_stamps(head, None))[0]
     steps = np.diff(times[np.isfinite(times)])
     return bool(np.all(steps >= 0)) and 2 * int(np.count_nonzero(steps)) > max(len(steps), len(head) // 2)
 
 
 def is_numbers(column: Any) -> bool:
-    """Whether most of the first cells of a column are numbers, not lists."""
+    """Whether most of the first cells of a column are numbers."""
     head = column.slice(0, HEAD)
-    return not holds_lists(head) and 2 * int(np.isfinite(arrow_tables.finite_numbers(head)[0]).sum()) > len(
-        head
-    )
+    return 2 * int(np.isfinite(arrow_tables.finite_numbers(head)[0]).sum()) > len(head)
 
 
 def middle_step(times: FloatArray) -> float:
@@ -234,11 +226,10 @@ def forwards(times: FloatArray) -> FloatArray:
     return steps[steps > 0]
 
 
-def clock_notes(name: str, per_second: float, times: FloatArray, users: Any = None) -> list[str]:
+def clock_notes(name: str, per_second: float, times: FloatArray, users: Codes | None = None) -> list[str]:
     """Notes on a clock whose median interval, or that of a user, is implausible for a pointer.
 
-    ``name`` of its column; ``per_second``: its units in a second; ``users``: the name of each row's user,
-    as an Arrow array, ``None`` for one.
+    ``name`` of its column; ``per_second``: its units in a second; ``users``: each row's, ``None`` for one.
     """
     question = _odd(times, per_second) if users is None else ""
     if question:
@@ -250,7 +241,7 @@ def clock_notes(name: str, per_second: float, times: FloatArray, users: Any = No
     return [f"the median interval of {name} for user {odd[0][0]!r}{rest} is {odd[0][1]}"]
 
 
-def only_whole_seconds(times: FloatArray, per_second: float, users: Any = None) -> bool:
+def only_whole_seconds(times: FloatArray, per_second: float, users: Codes | None = None) -> bool:
     """Whether a clock is constant in most steps and otherwise advances by whole seconds.
 
     >>> only_whole_seconds(np.repeat([0.0, 1000.0, 2000.0], 4), 1e3)
@@ -274,11 +265,11 @@ def _odd(times: FloatArray, per_second: float) -> str:
     return f"{middle:g} s: " + (f"is it in {fitting}?" if fitting else "is it a time?")
 
 
-def _by_user(times: FloatArray, users: Any) -> Iterator[tuple[str, FloatArray]]:
+def _by_user(times: FloatArray, users: Codes | None) -> Iterator[tuple[str, FloatArray]]:
     """The times of each user."""
     if users is None or not len(times):
         return
-    codes, names = codes_of(users.fill_null(""))
+    codes, names = users
     order = np.argsort(codes, kind="stable")
     ends = np.searchsorted(codes[order], np.arange(1, len(names)))
     yield from zip(names, np.split(times[order], ends), strict=True)

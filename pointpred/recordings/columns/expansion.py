@@ -14,12 +14,11 @@ import pyarrow.compute as pc
 
 from pointpred.errors import RecordingError
 from pointpred.recordings import arrow_tables
-from pointpred.recordings.arrow_tables import ColumnTable
+from pointpred.recordings.arrow_tables import ColumnTable, as_arrow, join_columns
 from pointpred.recordings.columns.clocks import whole_numbers
-from pointpred.recordings.columns.list_rows import items_of
+from pointpred.recordings.columns.list_cells import items_of
 from pointpred.recordings.columns.mapping import parts_of
 from pointpred.recordings.columns.names import guess
-from pointpred.recordings.columns.sample_rows import join_columns
 from pointpred.recordings.nested_records import open_cells
 from pointpred.recordings.reading import KEYS, NEEDED, Reading
 from pointpred.records import BoolTable
@@ -46,21 +45,6 @@ def expand(path: Path, table: ColumnTable, reading: Reading) -> ColumnTable:
     if not all(name in columns or name.isdecimal() for name in named):
         columns = _of_samples(columns)
     return msgspec.structs.replace(table, columns=columns, notes=(*table.notes, *damage))
-
-
-def as_arrow(column: Any) -> Any:
-    """A column as an Arrow array; cells of several types become text."""
-    if isinstance(column, pa.ChunkedArray):
-        return column
-    try:
-        array = pa.array(column)
-    except MemoryError:  # one of Arrow's, too: text takes even more
-        raise
-    except (pa.ArrowException, TypeError, ValueError, OverflowError):
-        array = pa.array([None if cell is None else str(cell) for cell in column], pa.string())
-    if pa.types.is_null(array.type):
-        array = pc.cast(array, pa.string())
-    return pa.chunked_array([array])
 
 
 def _of_pairs(columns: dict[str, Any], wanted: Sequence[str]) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from pointpred.recordings.columns.clocks import (
     is_numbers,
     units_of,
 )
-from pointpred.recordings.columns.list_rows import holds_pairs
+from pointpred.recordings.columns.list_cells import flat, holds_pairs
 from pointpred.recordings.columns.names import (
     Guess,
     guess,
@@ -167,13 +167,15 @@ def _refusal(
 
 def _possible_units(name: str, cells: Cells, explicit: str | None) -> Sequence[str] | None:
     """The possible units of a column of times, empty if unknown, ``None`` for text."""
-    units = units_of(name, cells(name), explicit)[0]
-    return units if units or is_numbers(cells(name)) else None
+    column = flat(cells(name))
+    units = units_of(name, column, explicit)[0]
+    return units if units or is_numbers(column) else None
 
 
 def _by_place(names: Sequence[str], cells: Cells) -> dict[str, str]:
     """A guess for a table without a header: the only column that is a clock, and the two after it."""
-    clocks = [name for name in names if is_clock(cells(name)) and not counts_frames(cells(name))]
+    columns = {name: flat(cells(name)) for name in names}
+    clocks = [name for name, column in columns.items() if is_clock(column) and not counts_frames(column)]
     if len(clocks) != 1:
         return {}
     at = names.index(clocks[0])
@@ -181,7 +183,7 @@ def _by_place(names: Sequence[str], cells: Cells) -> dict[str, str]:
     beside = free if len(free) == 2 else names[at + 1 : at + 3]
     likely = dict(zip(NEEDED, (clocks[0], *beside), strict=False))
     return (
-        likely if len(likely) == 3 and all(is_numbers(cells(name)) for name in beside) else {"t": clocks[0]}
+        likely if len(likely) == 3 and all(is_numbers(columns[name]) for name in beside) else {"t": clocks[0]}
     )
 
 

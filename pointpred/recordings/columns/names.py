@@ -75,6 +75,16 @@ class Guess(msgspec.Struct, frozen=True):
         return {field: several[0] for field, several in self.choices.items()} | self.columns
 
 
+def user_column(names: Sequence[str], usual: Sequence[str]) -> dict[str, str]:
+    """The column of users: the first of ``usual`` among ``names``, or one with a usual name; or none.
+
+    >>> user_column(["group", "participant"], ["subject", "participant"]), user_column(["x"], [])
+    ({'user': 'participant'}, {})
+    """
+    column = next((name for name in usual if name in names), None) or guess(names).best.get("user")
+    return {} if column is None else {"user": column}
+
+
 def words_of(name: str) -> list[str]:
     """The words of a column's name in small letters.
 

@@ -10,12 +10,11 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from pointpred.errors import RecordingError
-from pointpred.recording import Provenance, Recording
+from pointpred.recording import Provenance
 from pointpred.recordings import arrow_tables
-from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.arrow_tables import ColumnTable, Known
 from pointpred.recordings.reading import AS_IS, Reading, user_of
-from pointpred.recordings.segmentation import trials_of_stream
-from pointpred.records import EventColumns, FloatArray
+from pointpred.records import FloatArray
 
 TITLE = "Balabit or SapiMouse CSV"
 SAPIMOUSE = ("client timestamp", "button", "state", "x", "y")
@@ -32,7 +31,7 @@ def recognises(head: bytes) -> bool:
     return first in (",".join(BALABIT), ",".join(SAPIMOUSE))
 
 
-def read(path: Path, reading: Reading = AS_IS) -> Recording:
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read one session; the user is the folder's name if that ends in a digit (``user7``).
 
     Assumes the client's clock: s with Balabit, ms with SapiMouse. Wheel rows have no motion: they are ignored
@@ -41,14 +40,8 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     """
     table, _ = arrow_tables.read_table(path, lambda column: column in ("button", "state"))
     names = table.column_names
-    seconds = "record timestamp" in names
     arrow_tables.need_columns(path, names, SAPIMOUSE, BALABIT)
-    faults: dict[int, str] = {}
-    columns: dict[str, FloatArray] = {}
-    for name in ("client timestamp", "x", "y"):
-        columns[name], wrong = arrow_tables.finite_numbers(table[name])
-        faults |= {row: f"{name} is {cell!r}, expected a number" for row, cell in wrong.items()}
-    button, state = (_codes(table[name]) for name in ("button", "state"))
+    button, state = (_words(table[name]) for name in ("button", "state"))
     wheel = np.isin(button, ["Scroll"]) & np.isin(state, ["Up", "Down"])
     unknown = np.flatnonzero(~wheel & ~np.isin(state, MOVES + CLICKS))
     if len(unknown):
@@ -57,33 +50,31 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
             f"{path}: row {row}: state {state[row]!r} of {button[row]!r}, "
             f"expected one of {', '.join(MOVES + CLICKS)}"
         )
-    for name in ("x", "y"):
-        for row in np.flatnonzero(columns[name] == NO_POSITION).tolist():
-            faults.setdefault(row, f"{name} is 65535, the logger had no position")
     rows = np.flatnonzero(~wheel)
-    place = np.cumsum(~wheel) - 1
-    time = columns["client timestamp"][rows]
-    finite = time[np.isfinite(time)]
-    table = np.full((len(rows), 6), np.nan)
-    table[:, 0] = (time - (finite[0] if len(finite) else 0.0)) * (1.0 if seconds else 0.001)
-    table[:, 1], table[:, 2] = columns["x"][rows], columns["y"][rows]
-    table[:, 5] = _held(button[rows], state[rows])
-    notes = [f"wheel rows left aside: {len(state) - len(rows)}"] if len(rows) < len(state) else []
-    clock = "the client's clock, s" if seconds else "the client's clock, ms"
-    return trials_of_stream(
-        stem_of(path),
-        EventColumns(table),
-        reading.cut or "clicks",
-        reading,
-        user=user_of(path),
-        provenance=Provenance("balabit" if seconds else "sapimouse", clock=clock, dpi=reading.dpi),
-        faults={int(place[row]): words for row, words in faults.items() if not wheel[row]},
-        row_of=rows,
-        notes=notes,
+    kept = table.take(pa.array(rows))
+    faults = {
+        row: f"{name} is 65535, the logger had no position"
+        for name in ("y", "x")
+        for row in np.flatnonzero(arrow_tables.numbers(kept[name])[0] == NO_POSITION).tolist()
+    }
+    seconds = "record timestamp" in names
+    columns = {name: kept[name] for name in ("client timestamp", "x", "y")}
+    known = Known(
+        fields={"t": "client timestamp", "x": "x", "y": "y", "buttons": "buttons"},
+        time_unit="s" if seconds else "ms",
+        provenance=Provenance(
+            "balabit" if seconds else "sapimouse", clock=f"the client's clock, {'s' if seconds else 'ms'}"
+        ),
+        one_user=user_of(path),
+        cut="clicks",
+        faults=faults,
     )
+    notes = (f"wheel rows left aside: {len(state) - len(rows)}",) if len(rows) < len(state) else ()
+    buttons = {"buttons": _held(button[rows], state[rows])}
+    return ColumnTable(columns | buttons, TITLE, notes, row_of=rows, known=known)
 
 
-def _codes(column: Any) -> Any:
+def _words(column: Any) -> Any:
     """A text column as a numpy array; empty cells are empty strings."""
     filled = pc.fill_null(pc.cast(column, pa.string()), "")
     return np.array(pc.utf8_trim_whitespace(filled).to_pylist(), dtype=np.str_)

@@ -28,7 +28,7 @@ from pointpred.recordings.formats.evdev_contacts import (
     EvdevContacts,
 )
 from pointpred.recordings.reading import Reading
-from pointpred.recordings.segmentation import trials_of_stream
+from pointpred.recordings.samples import Samples, recording_of
 from pointpred.recordings.trials import join
 from pointpred.records import EventColumns
 
@@ -299,12 +299,10 @@ def _recording(
         stream, unit = stream.in_px(reading)
     elif reading.px_per_unit is not None and unit == "counts":
         stream.notes.append(f"px_per_unit has no effect: {device} moves by counts")
-    return trials_of_stream(
-        stem_of(path),
-        stream.events,
-        reading.cut or "bursts",
-        reading,
-        user="unknown",
+    samples = Samples(
+        name=stem_of(path),
+        table=stream.events.table,
+        row_of=stream.rows,
         provenance=Provenance(
             form,
             unit=unit,
@@ -314,9 +312,11 @@ def _recording(
             dpi=reading.dpi,
             cpi=reading.cpi,
         ),
+        one_user="unknown",
+        cut="bursts",
+        parts=np.searchsorted(stream.breaks, np.arange(len(stream.events)), side="right"),
         condition={"device": device},
         faults=stream.faults,
-        row_of=stream.rows,
-        breaks=stream.breaks.tolist(),
         notes=stream.notes,
     )
+    return recording_of(samples, reading)

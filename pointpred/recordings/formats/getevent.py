@@ -40,7 +40,7 @@ TITLE = "Android getevent"
 STAMP = r"(?:\[ *(\d{1,10})\.(\d{6})\] +)?"
 EVENT = re.compile(
     STAMP + r"(?:(/dev/input/\S+): +)?"
-    r"(EV_[A-Z_]+|[0-9a-f]{4}) +([A-Z]\w+|[0-9a-f]{4}) +(DOWN|UP|REPEAT|[0-9a-f]{8})\s*$"
+    r"(EV_[A-Z_]+|[0-9a-f]{4}) +([A-Z]\w+|[0-9a-f]{4}) +(DOWN|UP|REPEAT|MT_TOOL_[A-Z]+|[0-9a-f]{8})\s*$"
 )
 LIKELY = re.compile(
     rb"^(?:\[ *\d+\.\d{6}\] +|/dev/input/event\d+: +){1,2}(?:EV_[A-Z_]+ |[0-9a-f]{4} [0-9a-f]{4} [0-9a-f]{8})"

@@ -5,10 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from pointpred.errors import RecordingError
-from pointpred.recording import Provenance, Recording, Skip, Trial
-from pointpred.recordings.encodings import read_text, stem_of
+from pointpred.recording import Provenance, Skip
+from pointpred.recordings.arrow_tables import ColumnTable, Known
+from pointpred.recordings.encodings import read_text
+from pointpred.recordings.nested_records import RecordTable
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.trials import Lists
 
 TITLE = "GoFitts .sd3"
 FIRST = "TRACE DATA"
@@ -17,8 +18,8 @@ PREFIX = (
     "to_x,to_y"
 )
 NAMES = PREFIX.split(",")
-NUMBERS = ("to_x", "to_y", "W", "A", "from_x", "from_y")
-WORDS = tuple(word for word in NAMES if word not in (*NUMBERS, "Participant"))
+FIELDS = {"t": "t=", "x": "x=", "y": "y=", "user": "Participant", "trial": "trial of GoFitts"}
+TARGETS = {"target_x": "to_x", "target_y": "to_y", "target_w": "W"}
 
 
 def recognises(head: bytes) -> bool:
@@ -26,17 +27,17 @@ def recognises(head: bytes) -> bool:
     return head.lstrip(b"\xef\xbb\xbf").startswith(FIRST.encode())
 
 
-def read(path: Path, reading: Reading = AS_IS) -> Recording:
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read a trace; target centre and width are known, A, from and the other columns become conditions.
 
-    A trial whose three lines do not match or differ in length is skipped; ``row`` is the line of its ``t=``,
-    counted from the first below the header. Raises RecordingError.
+    A trial whose three lines do not match is skipped; ``row`` is the line of its ``t=``, counted from the
+    first below the header. Raises RecordingError.
     """
     lines = read_text(path).splitlines()
     if len(lines) < 2 or lines[0].strip() != FIRST or not lines[1].startswith(PREFIX):
         raise RecordingError(f"{path}: line 2 is not the header of a trace, expected {PREFIX},{{t_x_y}}")
-    lists = Lists(reading.sort)
     rows = [(row, line.split(",")) for row, line in enumerate(lines[2:]) if line.strip()]
+    traces, places, skipped = RecordTable(), [], []
     at = 0
     while at < len(rows):
         row, cells = rows[at]
@@ -45,29 +46,21 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
         letters = [other[len(NAMES)] if len(other) > len(NAMES) else "" for other in three]
         if letters != ["t=", "x=", "y="] or any(other[: len(NAMES)] != key for other in three):
             named = " ".join(key[7:12:4]) if len(key) > 11 else f"row {row}"
-            lists.skip(Skip(named, "its lines t=, x= and y= do not follow each other", row))
+            skipped.append(Skip(named, "its lines t=, x= and y= do not follow each other", row))
             at += 1
             while at < len(rows) and rows[at][1][: len(NAMES)] == key:
                 at += 1
             continue
         at += 3
         about = dict(zip(NAMES, key, strict=True))
-        name = f"{about['Session']} {about['Block']} {about['Sequence']} {about['Trial']}"
-        series = [[cell for cell in other[len(NAMES) + 1 :] if cell.strip()] for other in three]
-        values = lists.numbers([about[word] for word in NUMBERS], name, row)
-        if values is None:
-            continue
-        numbers = dict(zip(NUMBERS, values.tolist(), strict=True))
-        condition: dict[str, str | float] = {word: about[word] for word in WORDS}
-        condition |= {word: numbers[word] for word in ("A", "from_x", "from_y")}
-        trial = Trial(
-            about["Participant"],
-            name,
-            numbers["to_x"],
-            numbers["to_y"],
-            numbers["W"],
-            condition=condition,
-        )
-        lists.add(trial, row, series[0], series[1], series[2], scale=0.001)
-    provenance = Provenance("gofitts", clock="milliseconds from the trial's start", dpi=reading.dpi)
-    return lists.recording(stem_of(path), provenance)
+        name = " ".join(about[word] for word in ("Session", "Block", "Sequence", "Trial"))
+        series = {
+            letter: [cell for cell in other[len(NAMES) + 1 :] if cell.strip()]
+            for letter, other in zip(letters, three, strict=True)
+        }
+        traces.add(about | series | {FIELDS["trial"]: name})
+        places.append(row)
+    provenance = Provenance("gofitts", clock="milliseconds from the trial's start")
+    known = Known(fields=FIELDS | TARGETS, time_unit="ms", provenance=provenance)
+    columns = traces.finish().columns or {name: [] for name in (*FIELDS.values(), *TARGETS.values())}
+    return ColumnTable(columns, TITLE, (), tuple(skipped), places, known=known)

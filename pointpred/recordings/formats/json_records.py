@@ -10,8 +10,8 @@ from typing import Any
 from pointpred.errors import RecordingError
 from pointpred.recordings.arrow_tables import ColumnTable
 from pointpred.recordings.encodings import read_text
-from pointpred.recordings.nested_records import table_at
 from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.table_choice import table_in
 
 TITLE = "JSON or JSON lines"
 BEGINNING = re.compile(rb"""\s*(\{\s*["}]|\[\s*["\[{\]\-0-9tfnN])""")
@@ -28,13 +28,13 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """Read the records at ``reading.records``, else the only ones that fit (``nested_records``).
+    """Read the records that are meant (``table_choice``).
 
     In JSON lines each line is a record; a damaged last line is ignored with a note.
     Raises RecordingError, also above 2^28 characters. Memory: about 11 bytes a character.
     """
     document, notes = document_in(path)
-    table = table_at(path, document, reading.records, TITLE)
+    table = table_in(path, document, TITLE, reading)
     return ColumnTable(table.columns, table.format, (*table.notes, *notes))
 
 
@@ -46,11 +46,7 @@ def document_in(path: Path) -> tuple[Any, list[str]]:
             f"{path}: {len(text)} characters, at most {MOST_CHARACTERS} are read as JSON; "
             "split the file, or save its records as CSV"
         )
-    return _document(path, SURROGATE.sub(_paired, text))
-
-
-def _document(path: Path, text: str) -> tuple[Any, list[str]]:
-    """The value of the whole file, or the list of the values of its lines, and notes."""
+    text = SURROGATE.sub(_paired, text)
     try:
         return parse(text), []
     except ValueError as error:  # its text only: the error holds the document

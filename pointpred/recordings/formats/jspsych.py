@@ -11,12 +11,13 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import RecordingError
-from pointpred.recording import UNKNOWN, Provenance, Recording, Skip, Trial
+from pointpred.recording import UNKNOWN, Provenance, Skip
 from pointpred.recordings import arrow_tables
-from pointpred.recordings.encodings import holds, read_text, stem_of
-from pointpred.recordings.formats.trial_rows import row_conditions
+from pointpred.recordings.arrow_tables import ColumnTable, Known
+from pointpred.recordings.encodings import holds, read_text
+from pointpred.recordings.nested_records import RecordTable
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.trials import Lists
+from pointpred.recordings.trials import TARGET
 
 TITLE = "jsPsych mouse-tracking (JSON or CSV)"
 DATA, TARGETS = "mouse_tracking_data", "mouse_tracking_targets"
@@ -25,19 +26,14 @@ MARKS = (b'"trial_type"', b'"time_elapsed"')
 FARTHEST = 1 << 26
 """Bytes of jsPsych's JSON that are searched for a first mouse track."""
 USERS = ("subject_id", "subject", "participant_id", "participant", "PROLIFIC_PID", "run_id")
+TRIAL, USER = "trial of jsPsych", "user of jsPsych"
+ASIDE = (DATA, TARGETS, "trial_index", *USERS)
+FIELDS = {field: f"{field} of jsPsych" for field in ("t", "x", "y", "buttons", *TARGET)}
+FIELDS |= {"user": USER, "trial": TRIAL}
 SHOWN = 5
 
 Cells = dict[str, Any]
 Target = tuple[float, float, float]
-
-
-class _Row(msgspec.Struct, frozen=True):
-    """One trial of an experiment: its place, the name of its trial, its user, its cells."""
-
-    place: int
-    name: str
-    user: str
-    cells: Cells
 
 
 def recognises(head: bytes) -> bool:
@@ -51,7 +47,7 @@ def recognises_further(path: Path, head: bytes) -> bool:
     return json and holds(path, DATA.encode(), FARTHEST)
 
 
-def read(path: Path, reading: Reading = AS_IS) -> Recording:
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read an experiment; rows of other plugins, without mouse tracking, are counted in a note.
 
     The file names rectangles of the page by selectors but not the goal: the target of a trial is the
@@ -62,67 +58,66 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     conditions. Raises RecordingError.
     """
     text = read_text(path)
-    lists = Lists(reading.sort)
-    rows = list(_json(path, text, lists) if text.lstrip()[:1] in "[{" else _csv(path))
-    tracked = [row for row in rows if row.cells.get(DATA) not in (None, "")]
-    conditions, column_notes = row_conditions(
-        [row.cells for row in tracked], (DATA, TARGETS, "trial_index", *USERS)
-    )
+    skipped: list[Skip] = []
+    rows = list(_json(path, text, skipped) if text.lstrip()[:1] in "[{" else _csv(path))
+    tracks, places = RecordTable(), []
     matched: Counter[str] = Counter()
     unknown: Counter[str] = Counter()
-    for row, condition in zip(tracked, conditions, strict=True):
-        samples, targets = row.cells[DATA], row.cells.get(TARGETS) or {}
-        if not isinstance(samples, list) or not all(isinstance(sample, dict) for sample in samples):
-            lists.skip(Skip(row.name, f"{DATA} is no list of samples", row.place))
-            continue
-        if not isinstance(targets, dict):
-            lists.skip(Skip(row.name, f"{TARGETS} is no object", row.place))
-            continue
-        matched.update(list(targets))
-        place, why = _target(targets, reading.target, samples)
-        unknown[why] += 1
-        lists.add(
-            Trial(row.user, row.name, *place, condition=condition | {"targets": float(len(targets))}),
-            row.place,
-            [sample.get("t") for sample in samples],
-            [sample.get("x") for sample in samples],
-            [sample.get("y") for sample in samples],
-            buttons=_held([sample.get("event") for sample in samples]),
-            scale=0.001,
-        )
-    if len(tracked) < len(rows):
-        lists.notes.append(f"{len(rows) - len(tracked)} of {len(rows)} rows track no mouse")
-    lists.notes += [*column_notes, *_about_targets(matched, unknown, reading.target)]
+    untracked = 0
+    for row, cells in enumerate(rows):
+        samples, targets = cells.get(DATA), cells.get(TARGETS) or {}
+        if samples in (None, ""):
+            untracked += 1
+        elif not isinstance(samples, list) or not all(isinstance(sample, dict) for sample in samples):
+            skipped.append(Skip(cells[TRIAL], f"{DATA} is no list of samples", row))
+        elif not isinstance(targets, dict):
+            skipped.append(Skip(cells[TRIAL], f"{TARGETS} is no object", row))
+        else:
+            matched.update(list(targets))
+            place, why = _target(targets, reading.target, samples)
+            unknown[why] += 1
+            series = {field: [sample.get(field) for sample in samples] for field in ("t", "x", "y")}
+            held = _held([sample.get("event") for sample in samples])
+            about = {name: cell for name, cell in cells.items() if name not in ASIDE}
+            tracks.add(
+                about
+                | {FIELDS[field]: items for field, items in series.items()}
+                | dict(zip((FIELDS[field] for field in TARGET), place, strict=True))
+                | {FIELDS["buttons"]: held, "targets": float(len(targets))}
+            )
+            places.append(row)
+    notes = [f"{untracked} of {len(rows)} rows track no mouse"] if untracked else []
+    notes += _about_targets(matched, unknown, reading.target)
     provenance = Provenance(
         "jspsych",
         origin="top left of the page's visible area",
         clock="milliseconds from the trial's start, rounded to 1 ms",
-        dpi=reading.dpi,
     )
-    return lists.recording(stem_of(path), provenance)
+    known = Known(fields=FIELDS, time_unit="ms", provenance=provenance)
+    columns = tracks.finish().columns or {name: [] for name in FIELDS.values()}
+    return ColumnTable(columns, TITLE, tuple(notes), tuple(skipped), places, known=known)
 
 
-def _json(path: Path, text: str, lists: Lists) -> Iterator[_Row]:
+def _json(path: Path, text: str, skipped: list[Skip]) -> Iterator[Cells]:
     """The trials of a JSON file: a list of objects, one object, or such a list on each line."""
     try:
-        yield from _rows(path, 0, _experiment(msgspec.json.decode(text)))
+        yield from _rows(path, _experiment(msgspec.json.decode(text)))
         return
     except (msgspec.DecodeError, RecursionError) as error:
         lines = [(number, line) for number, line in enumerate(text.splitlines(), 1) if line.strip()]
         if len(lines) < 2:
             raise RecordingError(f"{path}: no JSON: {error}") from error
         whole = error
-    place = readable = 0
+    readable = place = 0
     for number, line in lines:
         try:
             experiment = _experiment(msgspec.json.decode(line))
         except (msgspec.DecodeError, RecursionError) as error:
-            lists.skip(Skip(f"line {number}", f"no JSON: {error}", place))
+            skipped.append(Skip(f"line {number}", f"no JSON: {error}", place))
             continue
         readable += 1
-        for row in _rows(path, place, experiment, str(number)):
-            yield row
-            place = row.place + 1
+        place += len(experiment)
+        yield from _rows(path, experiment, str(number))
     if not readable:
         raise RecordingError(f"{path}: no JSON: {whole}")
 
@@ -132,18 +127,18 @@ def _experiment(content: Any) -> list[Any]:
     return content if isinstance(content, list) else [content]
 
 
-def _rows(path: Path, first: int, experiment: list[Any], line: str = "") -> Iterator[_Row]:
-    """The trials of one experiment, ``first``: place of its first; ``line``: its person's number."""
-    for place, cells in enumerate(experiment, first):
+def _rows(path: Path, experiment: list[Any], line: str = "") -> Iterator[Cells]:
+    """The trials of one experiment, with a name and a user each; ``line``: its person's number."""
+    for place, cells in enumerate(experiment):
         if not isinstance(cells, dict):
             raise RecordingError(f"{path}: row {place} is {str(cells)[:40]!r}, expected an object")
     person = next((user for user in map(_user, experiment) if user), line or "unknown")
-    for place, cells in enumerate(experiment, first):
+    for place, cells in enumerate(experiment):
         name = str(cells.get("trial_index", place))
-        yield _Row(place, f"{line} {name}" if line else name, _user(cells) or person, cells)
+        yield cells | {TRIAL: f"{line} {name}" if line else name, USER: _user(cells) or person}
 
 
-def _csv(path: Path) -> Iterator[_Row]:
+def _csv(path: Path) -> Iterator[Cells]:
     """The trials of a CSV file with the tracking columns decoded; cells that are not JSON stay text."""
     table, _ = arrow_tables.read_table(path, lambda column: True)
     arrow_tables.need_columns(path, table.column_names, (DATA,), table.column_names)
@@ -154,7 +149,7 @@ def _csv(path: Path) -> Iterator[_Row]:
                     cells[name] = msgspec.json.decode(cells[name])
                 except (msgspec.DecodeError, RecursionError):
                     cells[name] = str(cells[name])
-        yield _Row(place, str(cells.get("trial_index", place)), _user(cells) or "unknown", cells)
+        yield cells | {TRIAL: str(cells.get("trial_index", place)), USER: _user(cells) or "unknown"}
 
 
 def _user(cells: Cells) -> str:

@@ -6,15 +6,15 @@ from pathlib import Path
 
 import numpy as np
 
-from pointpred.recording import Provenance, Recording, Trial
+from pointpred.recording import Provenance
 from pointpred.recordings import arrow_tables
-from pointpred.recordings.encodings import stem_of
+from pointpred.recordings.arrow_tables import ColumnTable, Known, finite_numbers
 from pointpred.recordings.reading import AS_IS, Reading, user_of
-from pointpred.recordings.trials import assemble
 from pointpred.records import METRES_PER_INCH
 
 TITLE = "Pointing Dynamics Dataset CSV"
 NEEDED = ("time", "y", "target", "widthm")
+ACROSS = {"t": "time", "x": "y", "y": "across", "trial": "trial", "target_x": "target", "target_w": "widthm"}
 
 
 def recognises(head: bytes) -> bool:
@@ -23,7 +23,7 @@ def recognises(head: bytes) -> bool:
     return set(NEEDED) <= {name.strip() for name in names}
 
 
-def read(path: Path, reading: Reading = AS_IS) -> Recording:
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read one file ``P<user>/Data0,-1,<distance px>,<width px>.csv``; a change of target begins a trial.
 
     Assumes m and s. The movement's one axis becomes x, y is 0; metres become px by ``reading.dpi``. The
@@ -33,45 +33,33 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     table, _ = arrow_tables.read_table(path, lambda column: False)
     names = table.column_names
     arrow_tables.need_columns(path, names, NEEDED, names)
-    faults: dict[int, str] = {}
-    columns = {}
-    for name in NEEDED:
-        columns[name], wrong = arrow_tables.finite_numbers(table[name])
-        faults |= {row: f"{name} is {cell!r}, expected a number" for row, cell in wrong.items()}
-    target, width = columns["target"], columns["widthm"]
-    for name in ("target", "widthm"):
-        odd = np.flatnonzero(~np.isfinite(columns[name]))
-        faults |= {int(row): f"{name} is {columns[name][row]}, expected a finite number" for row in odd}
-    changes = np.flatnonzero((np.diff(target) != 0) & ~(np.isnan(target[1:]) & np.isnan(target[:-1]))) + 1
-    begins = np.concatenate([[0], changes]).astype(np.int64) if len(target) else np.empty(0, np.int64)
-    sizes = np.diff(begins, append=len(target))
-    px = reading.dpi / METRES_PER_INCH
-    events = np.full((len(target), 6), np.nan)
-    events[:, 0] = columns["time"] - np.repeat(columns["time"][begins], sizes)
-    events[:, 1] = columns["y"] * px
-    events[:, 2] = events[:, 5] = 0.0
-    user = user_of(path)
-    trials = [
-        Trial(
-            user,
-            str(index),
-            float(target[row]) * px,
-            0.0,
-            float(width[row]) * px,
-            condition={"file": path.name, "begins_s": float(columns["time"][row])},
-        )
-        for index, row in enumerate(begins.tolist())
-    ]
-    unread = [name for name in names if name not in NEEDED]
-    return assemble(
-        stem_of(path),
-        events,
-        np.repeat(np.arange(len(begins), dtype=np.int64), sizes),
-        trials,
-        faults=faults,
-        sort=reading.sort,
+    times, target = (finite_numbers(table[name])[0] for name in ("time", "target"))
+    changes = (np.diff(target) != 0) & ~(np.isnan(target[1:]) & np.isnan(target[:-1]))
+    trial = np.cumsum(np.concatenate([[0], changes])) if len(target) else np.empty(0)
+    begins = np.flatnonzero(np.diff(trial, prepend=-1))
+    faults = {
+        int(row): f"{name} is {table[name][row].as_py()!r}, expected a finite number"
+        for name in ("widthm", "target")
+        for row in np.flatnonzero(~np.isfinite(finite_numbers(table[name])[0]))
+    }
+    nothing = np.zeros(len(target))
+    columns = {name: table[name] for name in NEEDED} | {
+        "across": nothing,
+        "target_y": nothing,
+        "trial": trial.astype(np.int64),
+        "file": np.full(len(target), path.name),
+        "begins_s": np.repeat(times[begins], np.diff(begins, append=len(target))),
+    }
+    known = Known(
+        fields=ACROSS | {"target_y": "target_y"},
+        time_unit="s",
         provenance=Provenance(
-            "pointing-dynamics", "m", "the axis' zero", "one axis", "the experiment's clock, s", reading.dpi
+            "pointing-dynamics", "m", "the axis' zero", "one axis", "the experiment's clock, s"
         ),
-        notes=[f"columns left aside: {', '.join(unread)}"] if unread else [],
+        gain=(reading.dpi / METRES_PER_INCH, 1.0),
+        one_user=user_of(path),
+        faults=faults,
     )
+    unread = [name for name in names if name not in NEEDED]
+    notes = (f"columns left aside: {', '.join(unread)}",) if unread else ()
+    return ColumnTable(columns, TITLE, notes, known=known)

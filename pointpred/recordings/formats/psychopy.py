@@ -10,17 +10,20 @@ from typing import Any, Literal, get_args
 import numpy as np
 
 from pointpred.errors import RecordingError
-from pointpred.recording import Provenance, Recording, Skip, Trial
+from pointpred.recording import Provenance, Skip
 from pointpred.recordings import arrow_tables
-from pointpred.recordings.encodings import head_of, stem_of
-from pointpred.recordings.formats.trial_rows import people_of, row_conditions
+from pointpred.recordings.arrow_tables import ColumnTable, Known
+from pointpred.recordings.columns.list_cells import split
+from pointpred.recordings.columns.names import user_column
+from pointpred.recordings.encodings import head_of
+from pointpred.recordings.nested_records import RecordTable
 from pointpred.recordings.reading import AS_IS, Reading
-from pointpred.recordings.trials import Lists, split
-from pointpred.records import METRES_PER_INCH, FloatArray
+from pointpred.records import METRES_PER_INCH
 
 TITLE = "PsychoPy CSV"
 SEPARATORS = (",", ";", "\t")
 USERS = ("participant",)
+FIELDS = ("x", "y", "buttons", "trial")
 BUTTONS = {"left": 1, "right": 2, "mid": 4}
 CLICKS_S = 0.1
 """Samples that all have a button pressed and lie farther apart than this are clicks, not a track."""
@@ -51,7 +54,7 @@ def recognises(head: bytes) -> bool:
     return _separator(head) is not None
 
 
-def read(path: Path, reading: Reading = AS_IS) -> Recording:
+def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     """Read a table; a trial is ``<row>``, or ``<row> <mouse>`` with several mouse components.
 
     Assumes s, the origin in the centre of the screen and y up; y is negated, the origin stays. The unit has
@@ -67,44 +70,47 @@ def read(path: Path, reading: Reading = AS_IS) -> Recording:
     mice = _mice(names)
     arrow_tables.need_columns(path, names, [f"{mouse}.time" for mouse in mice or ["mouse"]], names)
     rows = table.to_pylist()
-    lists = Lists(reading.sort)
-    unit, unit_notes = unit_of(rows)
-    gain = gain_of(path, unit or "pix", reading)
-    users, column, more = people_of(path, rows, USERS)
-    own = tuple(f"{mouse}." for mouse in mice)
-    aside: set[str | None] = {name for name in names if name.startswith(own)}
-    conditions, column_notes = row_conditions(rows, aside | {column, "mouse"})
-    empty = 0
-    for row, (cells, user, condition) in enumerate(zip(rows, users, conditions, strict=True)):
+    people = user_column(names, USERS)
+    unit, notes = unit_of(rows)
+    across, down = gain_of(path, unit or "pix", reading)
+    tracks, places, skipped = RecordTable(), [], []
+    for row, cells in enumerate(rows):
+        about = {
+            name: cell for name, cell in cells.items() if not name.startswith(tuple(f"{m}." for m in mice))
+        }
         for mouse in mice:
-            t, x, y = (split(cells[f"{mouse}.{part}"]) for part in ("time", "x", "y"))
+            series = {part: split(cells[f"{mouse}.{part}"]) for part in ("time", "x", "y")}
             trial = str(row) if len(mice) == 1 else f"{row} {mouse}"
-            if not (t or x or y):
-                empty += 1
-                continue
-            buttons = _held(cells, mouse, len(t))
+            buttons = _held(cells, mouse, len(series["time"]))
+            user = str(cells.get(people.get("user", "")) or "") or None
             if buttons is None:
-                lists.skip(Skip(trial, "buttons are not 0 or 1 for each time", row))
-                continue
-            if _are_clicks(t, buttons):
-                lists.skip(Skip(trial, CLICKS_ONLY, row, user))
-                continue
-            about = Trial(user, trial, condition=condition | {"mouse": mouse})
-            lists.add(about, row, t, x, y, buttons, scale=1.0, gain=(gain[0], -gain[1]))
-    if empty:
-        lists.notes.append(f"{empty} cells hold no track")
+                skipped.append(Skip(trial, "buttons are not 0 or 1 for each time", row, user))
+            elif _are_clicks(series["time"], buttons):
+                skipped.append(Skip(trial, CLICKS_ONLY, row, user))
+            else:
+                own: dict[str, Any] = {f"mouse.{part}": items for part, items in series.items()}
+                own |= {"mouse.buttons": buttons, "mouse.trial": trial, "mouse": mouse}
+                tracks.add(about | own)
+                places.append(row)
+    fields = {"t": "mouse.time"} | {part: f"mouse.{part}" for part in FIELDS} | people
+    columns = tracks.finish().columns or {name: [] for name in fields.values()}
     if unit is None and reading.px_per_unit is None:
-        unit_notes = check_pixels(path, [part[:, 1:3] for part in lists.tables])
-    lists.notes += [*more, *unit_notes, *column_notes]
+        notes = check_pixels(path, [items for part in "xy" for items in columns[f"mouse.{part}"]])
+    told = "px" if reading.px_per_unit is None else "told"
     provenance = Provenance(
         "psychopy",
-        unit="px" if unit == "pix" else unit or ("px" if reading.px_per_unit is None else "told"),
+        unit="px" if unit == "pix" else unit or told,
         origin="centre of the screen",
         y_axis="up",
         clock="the component's clock, s",
-        dpi=reading.dpi,
     )
-    return lists.recording(stem_of(path), provenance)
+    known = Known(
+        fields=fields,
+        time_unit="s",
+        provenance=provenance,
+        gain=(across, -down),
+    )
+    return ColumnTable(columns, TITLE, tuple(notes), tuple(skipped), places, known=known)
 
 
 def _separator(head: bytes) -> str | None:
@@ -171,16 +177,17 @@ def gain_of(path: Path, unit: Unit, reading: Reading) -> tuple[float, float]:
     raise RecordingError(f"{path}: positions in {unit} need the pixels in a unit: {SIZES[unit]}")
 
 
-def check_pixels(path: Path, positions: Sequence[FloatArray]) -> list[str]:
+def check_pixels(path: Path, positions: Sequence[Sequence[str]]) -> list[str]:
     """A note that pixels are assumed; raises RecordingError if the positions are unlikely to be pixels."""
-    far = max((float(np.nanmax(np.abs(part), initial=0.0)) for part in positions), default=0.0)
-    fractions = any(bool((part != np.round(part)).any()) for part in positions)
-    if positions and far < LEAST_PX:
+    numbers, _ = arrow_tables.numbers(arrow_tables.as_arrow([cell for cells in positions for cell in cells]))
+    finite = numbers[np.isfinite(numbers)]
+    far, fractions = float(np.max(np.abs(finite), initial=0.0)), bool((finite != np.round(finite)).any())
+    if len(finite) and far < LEAST_PX:
         raise RecordingError(
             f"{path}: no position leaves +-{LEAST_PX:g}, so the unit is hardly pix; say the pixels in the "
             f"experiment's unit: {SIZES['height']}; {SIZES['norm']}; {SIZES['cm']}"
         )
-    if positions and far < MOST_DEG and fractions:
+    if len(finite) and far < MOST_DEG and fractions:
         raise RecordingError(
             f"{path}: no position leaves +-{MOST_DEG:g} and some have fractions, which looks like degrees "
             f"or cm; say the pixels in the experiment's unit: {SIZES['deg']}; {SIZES['cm']}; "

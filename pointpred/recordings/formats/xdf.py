@@ -19,6 +19,7 @@ from pointpred.extras import require
 from pointpred.recordings.arrow_tables import ColumnTable, distinct_names, unreadable
 from pointpred.recordings.encodings import open_unpacked
 from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.table_choice import MOST_SHOWN, has_column
 
 TITLE = "XDF"
 MAGIC = b"XDF:"
@@ -35,19 +36,21 @@ TIMES = "time_stamps"
 
 
 class Stream(msgspec.Struct, frozen=True):
-    """The header of a stream: its number, name, type, format of values, labels of channels."""
+    """The header of a stream: its number, name, type, format of values.
+
+    ``columns``: a name for each channel, its label or its place from 0.
+    """
 
     number: int
     name: str
     kind: str
     format: str
-    channels: int
-    labels: tuple[str, ...]
+    columns: tuple[str, ...]
 
     @property
     def title(self) -> str:
         """Its name in messages."""
-        return f"{self.name} (type {self.kind or 'unknown'}, {self.channels} channels)"
+        return f"{self.name} (type {self.kind or 'unknown'}, {len(self.columns)} channels)"
 
 
 def recognises(head: bytes) -> bool:
@@ -56,7 +59,7 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """Read the stream whose name or type is ``reading.records``, else the only one that may be a mouse.
+    """Read the only stream that may be a mouse, or has the channels that ``reading.columns`` names.
 
     Times are those of the recording computer: clock offsets are removed, jitter is not. The columns are
     ``time_stamps`` in s and one per channel, by its label or its place from 0.
@@ -65,12 +68,10 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     require("tables", f"{path}: reading XDF")
     with open_unpacked(path) as file:
         streams, cut = _streams(path, file)
-        stream = _chosen(path, streams, reading.records)
+        stream = _chosen(path, streams, reading)
         part = _chunks_of(file, stream.number)
     values, times, faults = _load(path, part, stream)
-    names = [label or str(at) for at, label in enumerate(stream.labels[: stream.channels])]
-    names += [str(at) for at in range(len(names), stream.channels)]
-    columns = {TIMES: times} | dict(zip(distinct_names([*names, TIMES])[:-1], values.T, strict=True))
+    columns = {TIMES: times} | dict(zip(stream.columns, values.T, strict=True))
     notes = [
         f"stream {stream.title}: clocks synchronized, jitter of the time stamps kept",
         *(f"stream left aside: {other.title}" for other in streams if other != stream),
@@ -144,33 +145,36 @@ def _stream(path: Path, number: int, header: bytes) -> Stream:
         raise RecordingError(
             f"{path}: stream {number} has {channels} channels, at most {MOST_CHANNELS} are read"
         )
-    labels = tuple(one.findtext("label", "") for one in root.findall("desc/channels/channel"))
+    labels = [one.findtext("label", "") for one in root.findall("desc/channels/channel")][:channels]
+    labels += [""] * (channels - len(labels))
+    columns = distinct_names([*(label or str(at) for at, label in enumerate(labels)), TIMES])[:-1]
     name, kind, values = (root.findtext(tag, "").strip() for tag in ("name", "type", "channel_format"))
-    return Stream(number, name, kind, values, channels, labels)
+    return Stream(number, name, kind, values, tuple(columns))
 
 
-def _chosen(path: Path, streams: list[Stream], wanted: str | None) -> Stream:
-    """The stream of that name or type, else the only one that is a mouse, a position, or has x and y."""
-    numeric = [stream for stream in streams if stream.format != "string" and stream.channels >= 2]
-    if wanted is not None:
-        low = wanted.lower()
-        groups = [
-            [stream for stream in numeric if stream.name == wanted],
-            [stream for stream in numeric if low in (stream.name.lower(), stream.kind.lower())],
-        ]
-    else:
-        groups = [
-            [stream for stream in numeric if "mouse" in (stream.name + stream.kind).lower()],
-            [stream for stream in numeric if {"x", "y"} <= {label.lower() for label in stream.labels}],
-            [stream for stream in numeric if stream.kind.lower() in POSITIONS],
-        ]
+def _chosen(path: Path, streams: list[Stream], reading: Reading) -> Stream:
+    """The only stream that is a mouse, a position, or has x and y, of those with the channels that are named.
+
+    Where none is, the only one with these channels.
+    """
+    numeric = [stream for stream in streams if stream.format != "string" and len(stream.columns) >= 2]
+    told = (reading.columns or {}).values()
+    named = [one for one in numeric if all(has_column([TIMES, *one.columns], str(name)) for name in told)]
+    groups = [
+        [stream for stream in named if "mouse" in (stream.name + stream.kind).lower()],
+        [stream for stream in named if {"x", "y"} <= {name.lower() for name in stream.columns}],
+        [stream for stream in named if stream.kind.lower() in POSITIONS],
+        named if told else [],
+    ]
     fits = next((group for group in groups if group), [])
     if len(fits) == 1:
         return fits[0]
     what = f"{len(fits)} streams may" if fits else "no stream of numbers can"
-    why = f"be meant by {wanted!r}" if wanted is not None else "be a mouse"
-    titles = "; ".join(stream.title for stream in streams[:16]) or "no stream"
-    raise RecordingError(f"{path}: {what} {why}; name one by --records; the file holds {titles}")
+    titles = "; ".join(f"{one.title}: {', '.join(one.columns[:MOST_SHOWN])}" for one in streams[:MOST_SHOWN])
+    raise RecordingError(
+        f"{path}: {what} be a mouse; name channels of the one that is meant, as in: "
+        f"--columns x=LABEL,y=LABEL; the file holds {titles or 'no stream'}"
+    )
 
 
 def _load(path: Path, file: io.BytesIO, stream: Stream) -> tuple[Any, Any, list[str]]:
@@ -187,7 +191,7 @@ def _load(path: Path, file: io.BytesIO, stream: Stream) -> tuple[Any, Any, list[
         raise unreadable(path, error) from error
     except Exception as error:  # pyxdf raises errors of many kinds on damaged bytes
         raise RecordingError(f"{path}: damaged XDF: {str(error)[:120]}") from error
-    if not len(times) or values.shape != (len(times), stream.channels):
+    if not len(times) or values.shape != (len(times), len(stream.columns)):
         raise RecordingError(f"{path}: the stream {stream.title} holds no samples")
     return values, times, faults
 

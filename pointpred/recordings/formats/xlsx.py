@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,8 +13,9 @@ from zipfile import ZipFile
 from pointpred.errors import RecordingError
 from pointpred.extras import require
 from pointpred.recordings.arrow_tables import ColumnTable, distinct_names, unreadable
-from pointpred.recordings.nested_records import CLEAR, EACH, LEAST_COLUMNS, RecordTable
+from pointpred.recordings.nested_records import LEAST_COLUMNS, RecordTable
 from pointpred.recordings.reading import AS_IS, Reading
+from pointpred.recordings.table_choice import choose
 
 TITLE = "workbook .xlsx"
 ZIP, PART = b"PK\x03\x04", b"xl/"
@@ -23,7 +23,7 @@ MOST_UNPACKED = 1 << 29
 MOST_ROWS = 1 << 20
 """Most rows of an Excel sheet."""
 SHEET = "sheet"
-"""The column with each row's sheet if all sheets are read."""
+"""The column with each row's sheet if several are one table."""
 
 
 def recognises(head: bytes) -> bool:
@@ -32,10 +32,9 @@ def recognises(head: bytes) -> bool:
 
 
 def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
-    """Read the sheet ``reading.records``, else the only one with a table of at least three columns.
+    """Read the sheet that is meant (``table_choice``) of those with at least three columns.
 
-    If several have one, the largest is read if it has twice the samples of the next one. ``*`` reads all
-    sheets, with their names in the column ``sheet``.
+    Sheets with the same columns are one table, with their names in the column ``sheet``.
 
     The first row with three cells names the columns; if it contains only numbers, they are numbered from 0.
     Empty rows are left out. Formulas have the values saved with the file.
@@ -44,9 +43,9 @@ def read(path: Path, reading: Reading = AS_IS) -> ColumnTable:
     require("tables", f"{path}: reading a workbook")
     try:
         with _opened(path) as book:
-            return _sheet(path, {sheet.title: sheet for sheet in book.worksheets}, reading.records)
-    except RecordingError:
-        raise
+            return _sheet(book.worksheets, reading)
+    except RecordingError as error:
+        raise RecordingError(f"{path}: {error}") from error
     except MemoryError as error:  # the file need not be damaged
         raise unreadable(path, error) from error
     except Exception as error:  # openpyxl raises errors of many kinds on damaged bytes
@@ -60,7 +59,7 @@ def _opened(path: Path) -> Iterator[Any]:
     with ZipFile(path) as file:
         size = sum(part.file_size for part in file.infolist())
     if size > MOST_UNPACKED:
-        raise RecordingError(f"{path}: {size} bytes when unpacked, at most {MOST_UNPACKED} are read")
+        raise RecordingError(f"{size} bytes when unpacked, at most {MOST_UNPACKED} are read")
     # an open file, because openpyxl checks the extension of a path
     with warnings.catch_warnings(), path.open("rb") as content:
         warnings.simplefilter("ignore")  # warnings about styles and extensions without cells
@@ -71,58 +70,43 @@ def _opened(path: Path) -> Iterator[Any]:
             book.close()
 
 
-def _sheet(path: Path, sheets: dict[str, Any], wanted: str | None) -> ColumnTable:
-    """The sheet of that name, all of them, or the only one with most of the rows."""
-    if wanted not in (None, EACH, *sheets):
-        raise RecordingError(
-            f"{path}: no sheet {wanted!r}; --records takes one of {', '.join(sheets)}, or {EACH} for all"
-        )
-    titles = list(sheets) if wanted in (None, EACH) and wanted not in sheets else [str(wanted)]
-    tables = {title: _table(path, sheets[title]) for title in titles}
-    tables = {
-        title: table for title, table in tables.items() if len(table.columns) >= LEAST_COLUMNS and table.rows
-    }
+def _sheet(sheets: list[Any], reading: Reading) -> ColumnTable:
+    """The sheet that is meant, or all those with the same columns."""
+    alike: dict[tuple[str, ...], dict[str, RecordTable]] = {}
+    for sheet in sheets:
+        table = _table(sheet)
+        if len(table.columns) >= LEAST_COLUMNS and table.rows:
+            alike.setdefault(tuple(table.columns), {})[sheet.title] = table
+    titles = {", ".join(map(repr, some)): list(some) for some in alike.values()}
+    tables = dict(zip(titles, map(_joined, alike.values()), strict=True))
     if not tables:
-        where = f"the sheet {wanted!r}" if len(titles) == 1 else f"the sheets {', '.join(sheets)}"
-        raise RecordingError(f"{path}: no table of {LEAST_COLUMNS} columns or more in {where}")
-    if wanted == EACH and len(titles) > 1:
-        return _joined(tables)
-    title = _largest(path, tables)
-    others = [other for other in sheets if other != title]
-    note = f"records: {tables[title].rows} rows of the sheet {title!r}"
+        where = ", ".join(sheet.title for sheet in sheets)
+        raise RecordingError(f"no table of {LEAST_COLUMNS} columns or more in the sheets {where}")
+    chosen = choose(tables, reading)
+    several = len(titles[chosen]) > 1
+    note = f"records: {tables[chosen].rows} rows of the sheet{'s' * several} {chosen}"
+    note += f"; the column {SHEET} names them" * several
+    others = [sheet.title for sheet in sheets if sheet.title not in titles[chosen]]
     note += f"; other sheets left aside: {', '.join(others)}" if others else ""
-    return ColumnTable(dict(tables[title].columns), TITLE, (note,))
+    return ColumnTable(dict(tables[chosen].columns), TITLE, (note,))
 
 
-def _joined(tables: dict[str, RecordTable]) -> ColumnTable:
-    """The rows of all sheets concatenated, with the name of their sheet."""
+def _joined(tables: dict[str, RecordTable]) -> RecordTable:
+    """The rows of sheets one after another, with the name of their sheet if they are several."""
     whole = RecordTable()
     for title, table in tables.items():
-        whole.append(table, {SHEET: title})
-    note = f"records: {whole.rows} rows of the sheets {', '.join(tables)}; the column {SHEET} names them"
-    return ColumnTable(dict(whole.columns), TITLE, (note,))
+        whole.append(table, {SHEET: title} if len(tables) > 1 else {})
+    return whole
 
 
-def _largest(path: Path, tables: dict[str, RecordTable]) -> str:
-    """The sheet with twice the samples of the next one; raises RecordingError if there is none."""
-    first, *more = sorted(tables, key=lambda title: tables[title].samples, reverse=True)
-    if more and tables[first].samples < CLEAR * tables[more[0]].samples:
-        shown = "; ".join(f"{title} ({table.rows} rows)" for title, table in tables.items())
-        raise RecordingError(
-            f"{path}: sheets hold tables: {shown}; choose one, as in: --records {shlex.quote(first)}, "
-            f"or read all, their names in the column {SHEET}: --records '{EACH}'"
-        )
-    return first
-
-
-def _table(path: Path, sheet: Any) -> RecordTable:
+def _table(sheet: Any) -> RecordTable:
     """The cells of a sheet below the row that names its columns."""
     sheet.reset_dimensions()  # the size stored in a file may be wrong
     table = RecordTable()
     titles: list[str] = []
     for number, row in enumerate(sheet.iter_rows(values_only=True)):
         if number >= MOST_ROWS:
-            raise RecordingError(f"{path}: the sheet {sheet.title!r} has more than {MOST_ROWS} rows")
+            raise RecordingError(f"the sheet {sheet.title!r} has more than {MOST_ROWS} rows")
         cells = {at: _cell(value) for at, value in enumerate(row) if value is not None}
         if not titles:
             if len(cells) < LEAST_COLUMNS:

@@ -40,48 +40,66 @@ MOST_LINES = 6
 DASHED = (0, (3, 1.2))
 STYLES: dict[str, tuple[int, str, object]] = {
     "linear": (5, "v", "solid"),
-    "kalman": (4, "D", "solid"),
+    "kalman": (4, "p", "solid"),
     "minimum-jerk": (2, "^", "solid"),
-    "kep-quadratic": (3, "s", "solid"),
+    "kep-quadratic": (3, "h", "solid"),
     "kep-quadratic-gated": (3, "P", DASHED),
     "kep-quartic": (1, "X", "solid"),
     "kep-quartic-gated": (1, "*", DASHED),
     "ktm": (2, "<", DASHED),
     "delphian": (4, ">", DASHED),
-    "switched": (0, "o", "solid"),
-    "switched-printed": (0, "h", DASHED),
+    "switched": (0, "s", "solid"),
+    "switched-printed": (0, "H", DASHED),
     "switched-direction": (0, "d", "dotted"),
-    "kinematic": (5, "p", "solid"),
-    "kinematic-adaptive": (5, "H", DASHED),
+    "kinematic": (3, "D", "solid"),
+    "kinematic-adaptive": (4, "o", "solid"),
 }
-"""Place in PALETTE, marker and dash of each name of the registry, the same in every figure and set."""
+"""Place in PALETTE, marker and dash of each name of the registry; the marker is that of no other name."""
 
 
 def line_style(name: str, shown: Sequence[str]) -> dict[str, object]:
     """Colour, marker and dash of a predictor: ``hold`` is the grey reference, what is not shown is faint.
 
-    A name of the registry with words in brackets behind it has that name's colour and marker; where
-    another of that name is drawn before it the line is dotted and the marker hollow. Any other name has a
-    look of its own too, derived from its letters.
+    A name keeps its marker in every figure, which tells it apart in grey, and its colour unless a name shown
+    before it has the same: then it takes the next one that is free. A name of the registry with words in
+    brackets behind it has that name's look; where another of that name is drawn before it the line is dotted
+    and the marker hollow. Any other name has a look of its own too, derived from its letters.
     """
     if name == FLOOR:
         return {"color": GREY, "linestyle": (0, (4, 2)), "label": "hold (no prediction)", "zorder": 2.5}
     if name not in shown:
         return {"color": FAINT, "linewidth": 0.8, "zorder": 1.5}
-    other = zlib.crc32(name.encode("utf-8", "replace"))
-    base = name.partition(" (")[0]
-    place, marker, dash = STYLES.get(base, (other % 6, MARKERS[other // 6 % 6], "dotted"))
-    earlier = [one for one in shown[: list(shown).index(name)] if one.partition(" (")[0] == base]
-    hollow = base in STYLES and bool(earlier)
+    base, marker, dash, _ = _look(name)
+    before = list(shown[: list(shown).index(name)])
+    hollow = base in STYLES and any(_look(one)[0] == base for one in before)
     dash = "dotted" if hollow else dash
     return {
-        "color": PALETTE[place],
+        "color": PALETTE[_colours([*before, name])[base]],
         "marker": marker,
         "linestyle": dash,
         "label": name,
         "zorder": 3.0,
         **({"markerfacecolor": "none"} if hollow else {}),
     }
+
+
+def _look(name: str) -> tuple[str, str, object, int]:
+    """The name without words in brackets, its marker and dash, and its own place in PALETTE."""
+    other = zlib.crc32(name.encode("utf-8", "replace"))
+    base = name.partition(" (")[0]
+    place, marker, dash = STYLES.get(base, (other % 6, MARKERS[other // 6 % 6], "dotted"))
+    return base if base in STYLES else name, marker, dash, place
+
+
+def _colours(names: Sequence[str]) -> dict[str, int]:
+    """The place in PALETTE of each name: its own, or the next that is free while any is."""
+    taken: dict[str, int] = {}
+    for name in names:
+        base, _, _, place = _look(name)
+        if base != FLOOR and base not in taken:
+            nearest = [(place + step) % len(PALETTE) for step in range(len(PALETTE))]
+            taken[base] = next((one for one in nearest if one not in taken.values()), place)
+    return taken
 
 
 KINDS = {

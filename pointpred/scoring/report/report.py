@@ -1,8 +1,9 @@
-"""A scoring run as one HTML file that needs nothing else: no request, no script."""
+"""A scoring run as one HTML file that needs nothing else: no request, no script. Or the files for a paper."""
 
 from __future__ import annotations
 
 import platform
+import re
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
@@ -31,6 +32,7 @@ from pointpred.scoring.report.figures import (
     skill_bars,
     time_left_bars,
 )
+from pointpred.scoring.report.tables import tables_of
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, SetScore, WorstTrials
 from pointpred.scoring.statistics import (
     EVERY_PAIR,
@@ -285,6 +287,8 @@ def versions() -> list[tuple[str, str]]:
 
 
 MOST_BOXES = 4
+MOST_ROWS = 40
+"""Rows of a table that fit on a page."""
 GROUPS = (
     "with_submovements", "without_submovements", "experienced_people", "novice_people", "clean_trials"
 )  # fmt: skip
@@ -298,13 +302,23 @@ class Drawn(msgspec.Struct, frozen=True):
     front: Picture
     along: tuple[Picture, ...]
     groups: tuple[Picture, ...]
-    claims: tuple[Picture, ...]
+    claims: dict[str, Picture]
     cost: Picture
     axis: tuple[Picture, ...]
     profiles: tuple[AxisRow, ...]
     analysis: Analysis
     worst: WorstTrials | None
     paths: Picture | None
+
+    @property
+    def figures(self) -> dict[str, Picture]:
+        """Every figure, by the name of its file."""
+        named = {"of-hold": self.front, "cost": self.cost}
+        named |= zip(("by-time", "by-time-px", "by-path", "by-path-px"), self.along, strict=True)
+        named |= zip(("clean",), self.groups, strict=False)
+        named |= zip(("single-axis", "single-axis-boxes", "single-axis-groups"), self.axis, strict=False)
+        named |= self.claims
+        return named if self.paths is None else named | {"worst": self.paths}
 
 
 class Shown(msgspec.Struct, frozen=True):
@@ -320,9 +334,21 @@ class Shown(msgspec.Struct, frozen=True):
     """``None`` where no trial could be scored."""
 
 
+PAGE = "report.html"
+UNSAFE = re.compile(r"[^\w.-]+")
+
+
+def page_in(path: str | Path) -> Path:
+    """The file of the page of a report: ``path``, or in it, where it is a folder or has no extension."""
+    path = Path(path)
+    return path / PAGE if path.is_dir() or not (path.suffix or path.is_file()) else path
+
+
 def write_report(scores: Sequence[SetScore], path: str | Path) -> None:
     """Write what was scored, every table and figure, the statistics and the protocol to ``path``.
 
+    A folder, or a name without an extension, gets the page ``report.html`` and for each set a folder with
+    each figure as SVG and PDF and each table as CSV and LaTeX (packages booktabs and longtable).
     The same scores give the same bytes. The worst trials are drawn where ``score`` was asked to keep them.
     Names in recordings are not trusted: they are escaped. Raises ParameterError for an empty list or a set
     scored without ``hold``, MissingExtraError where the extra ``report`` is not installed, and OSError when
@@ -331,12 +357,43 @@ def write_report(scores: Sequence[SetScore], path: str | Path) -> None:
     require("report", "a report")
     if not scores:
         raise ParameterError("a report needs at least one scored set, received none", field="scores")
+    sets = [_shown(score) for score in scores]
     values = {
         "title": "Endpoint prediction: scores" + (" (simulated)" if all(s.simulated for s in scores) else ""),
-        "sets": [_shown(score) for score in scores],
+        "sets": sets,
         "versions": versions(),
     }
-    write_whole(Path(path), page("report.html", values).encode())
+    target = page_in(path)
+    target.parent.mkdir(exist_ok=True)
+    write_whole(target, page(PAGE, values).encode())
+    if target != Path(path):
+        names: dict[str, int] = {}
+        for one in sets:
+            plain = UNSAFE.sub("_", one.summary.name).strip("._")[:LONGEST] or "set"
+            names[plain.lower()] = again = names.get(plain.lower(), 0) + 1
+            _write_files(one, target.parent / (plain if again == 1 else f"{plain}_{again}"))
+
+
+def _write_files(one: Shown, folder: Path) -> None:
+    """The figures of a set as SVG and PDF, its tables as CSV and LaTeX."""
+    folder.mkdir(exist_ok=True)
+    if one.drawn is None:
+        return
+    for name, figure in one.drawn.figures.items():
+        write_whole(folder / f"{name}.svg", figure.svg.encode())
+        write_whole(folder / f"{name}.pdf", figure.pdf())
+    for name, (caption, table) in tables_of(one.summary, one.drawn.analysis.series).items():
+        write_whole(folder / f"{name}.csv", table.to_csv(index=False, lineterminator="\n").encode())
+        tex = table.to_latex(
+            index=False,
+            escape=True,
+            float_format=lambda value: f"{value:#.3g}".rstrip("."),
+            na_rep="--",
+            caption=caption.replace("%", r"\%"),
+            label=f"tab:{name}",
+            longtable=len(table) > MOST_ROWS,
+        )
+        write_whole(folder / f"{name}.tex", tex.encode())
 
 
 def _with_short_names(score: SetScore) -> SetScore:
@@ -368,7 +425,11 @@ def _shown(score: SetScore) -> Shown:
 def _drawn(score: SetScore, summary: SetSummary) -> Drawn:
     shown = highlighted(summary)
     profiles = {predictor.name: axis_profile(predictor) for predictor in score.predictors}
-    inside = (inside_curves(summary, kind) for kind in ("calibration", "time_left"))
+    claims = {
+        "regions": inside_curves(summary, "calibration"),
+        "arrivals": inside_curves(summary, "time_left"),
+        "time-left": time_left_bars(summary),
+    }
     kinds = (("by_time", "of_hold"), ("by_time", "px"), ("by_path", "of_hold"), ("by_path", "px"))
     return Drawn(
         conclusion=conclusion(summary),
@@ -376,7 +437,7 @@ def _drawn(score: SetScore, summary: SetSummary) -> Drawn:
         front=skill_bars(summary),
         along=tuple(curves(summary, shown, kind, quantity) for kind, quantity in kinds),
         groups=(clean_against_all(summary),) if "clean_trials" in summary.groups else (),
-        claims=tuple(one for one in (*inside, time_left_bars(summary)) if one is not None),
+        claims={name: one for name, one in claims.items() if one is not None},
         cost=cost(summary),
         axis=_single_axis(summary, shown, profiles),
         profiles=tuple(axis_row(profiles[p.name]) for p in summary.predictors),

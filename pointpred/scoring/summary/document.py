@@ -264,12 +264,24 @@ HEADINGS = (
 """Columns of the table of a set. All but the last two are errors as a share of the error of ``hold``."""
 WITHOUT_MEMORY = "  without memory"
 """In the place of a predictor's name, below the same with its memory of ends and distances."""
+FEW_PEOPLE = 10
 SEEN = "fitted to people of this set: too good; see docs/evidence/results.md"
 
 
 def footnotes(summary: SetSummary) -> list[str]:
-    """Warnings about predictors whose errors are too low, a line each."""
-    return [f"{one.name}: {SEEN}" for one in summary.predictors if one.seen]
+    """Warnings about predictors whose errors are too low, and of intervals over few people, a line each.
+
+    A bootstrap interval over n people is too narrow by about the root of (n - 1) / n, and by its few values.
+    """
+    notes = [f"{one.name}: {SEEN}" for one in summary.predictors if one.seen]
+    if 1 < summary.users < FEW_PEOPLE:
+        level = f"{summary.interval.level:.0%}"
+        notes.append(
+            f"{summary.users} people are few: their {level} intervals are narrower than they should be"
+        )
+    elif summary.users == 1 and summary.trials > 1:
+        notes.append("one person: intervals are over the trials and say nothing about other people")
+    return notes
 
 
 def about_targets(summary: SetSummary) -> str:

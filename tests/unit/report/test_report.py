@@ -5,6 +5,7 @@ from itertools import pairwise
 from xml.etree import ElementTree
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pointpred import build
@@ -15,9 +16,11 @@ from pointpred.recording import Provenance, Recording, Trial
 from pointpred.records import EventColumns
 from pointpred.scoring import score as run
 from pointpred.scoring.report import write_report
+from pointpred.scoring.report.figures import curves
 from pointpred.scoring.report.report import compared, highlighted
 from pointpred.scoring.results import SetScore
 from pointpred.scoring.summary import summarise
+from pointpred.scoring.summary.document import footnotes
 
 VOID = {"meta", "img", "br", "link", "hr", "input"}
 
@@ -118,7 +121,7 @@ def test_a_dollar_sign_in_a_name_is_drawn_as_one():
         axes.set_title("cost $a_b$ & <c>")
         svg = picture(figure, "a", "b").svg
     assert "cost $a_b$ &amp; &lt;c&gt;" in svg
-    assert svg in base64.b64decode(Picture(svg, "a", "b").url.partition(",")[2]).decode()
+    assert svg in base64.b64decode(Picture(svg, "a", "b", False, None).url.partition(",")[2]).decode()
 
 
 def test_the_numbers_are_those_of_the_summary(make_score, tmp_path):
@@ -199,3 +202,65 @@ def test_worst_trials_are_those_of_the_pipeline_that_was_scored(recording):
 def test_hold_stands_in_where_nothing_else_was_scored(recording):
     (scored,) = run([recording], [], worst=6)
     assert (scored.worst.predictor, len(scored.worst.trials)) == ("hold", 3)
+
+
+@pytest.fixture(scope="module")
+def paper(make_score, tmp_path_factory):
+    """The folder of a report on two sets whose names clash as names of files, and the scores."""
+    folder = tmp_path_factory.mktemp("report") / "paper"
+    names = ("hold", "kinematic", "linear")
+    scores = [make_score(name, people=4, repeats=1, names=names) for name in ("lab/a", "lab:A")]
+    write_report(scores, folder)
+    return folder, scores
+
+
+def test_a_folder_has_the_page_and_each_figure_twice(paper):
+    folder, _ = paper
+    assert sorted(one.name for one in folder.iterdir()) == ["lab_A_2", "lab_a", "report.html"]
+    page = Page((folder / "report.html").read_text(encoding="utf-8"))
+    drawn = [base64.b64decode(one["src"].partition(",")[2]) for one in page.of("img")]
+    svg = [path.read_bytes() for name in ("lab_a", "lab_A_2") for path in (folder / name).glob("*.svg")]
+    assert sorted(svg) == sorted(drawn)
+    for path in folder.glob("*/*.svg"):
+        assert path.with_suffix(".pdf").read_bytes().startswith(b"%PDF-")
+
+
+def test_tables_hold_the_numbers_of_the_summary(paper):
+    folder, scores = paper
+    summary = summarise(scores[0])
+    table = pd.read_csv(folder / "lab_a" / "scores.csv", index_col="predictor")
+    for predictor in summary.predictors:
+        row, averaged = table.loc[predictor.name], predictor.time_averaged
+        assert row["error [px]"] == averaged.px
+        assert row["of hold"] == averaged.of_hold
+        assert (row["from"], row["to"]) == averaged.interval
+    along = pd.read_csv(folder / "lab_a" / "by-time.csv", index_col="predictor")
+    assert along.loc["kinematic", "50%"] == next(
+        p.by_time[0.5].of_hold for p in summary.predictors if p.name == "kinematic"
+    )
+    assert pd.read_csv(folder / "lab_a" / "left-out.csv")["reason"].tolist() == ["has no events"]
+    people = pd.read_csv(folder / "lab_a" / "people.csv")
+    assert len(people) == 4 * len(summary.predictors)
+    terms = pd.read_csv(folder / "lab_a" / "anova.csv")
+    assert {"F", "df1", "df2", "p corrected", "partial eta2"} <= set(terms.columns)
+
+
+def test_latex_has_every_row_and_no_bare_percent(paper):
+    folder, scores = paper
+    text = (folder / "lab_a" / "scores.tex").read_text(encoding="utf-8")
+    assert text.count(r"\\") == len(scores[0].predictors) + 1
+    assert r"\label{tab:scores}" in text
+    for path in folder.glob("*/*.tex"):
+        assert not re.search(r"(?<!\\)%", path.read_text(encoding="utf-8"))
+
+
+def test_a_figure_gives_the_same_pdf_each_time(score):
+    summary = summarise(score, draws=20)
+    one, other = (curves(summary, ["linear"], "by_time").pdf() for _ in range(2))
+    assert one == other
+
+
+def test_intervals_over_few_people_carry_a_warning(make_score):
+    few = footnotes(summarise(make_score(people=4, repeats=1), draws=20))
+    assert [note for note in few if note.startswith("4 people are few")]
+    assert not footnotes(summarise(make_score(people=12, repeats=1), draws=20))

@@ -1,4 +1,4 @@
-"""How predictors look: one look a name, whatever else is drawn."""
+"""How predictors look: a marker a name, whatever else is drawn, and a colour of its own in each figure."""
 
 import base64
 import re
@@ -6,7 +6,7 @@ import re
 import matplotlib.colors
 import pytest
 
-from pointpred.drawing import FAINT
+from pointpred.drawing import FAINT, PALETTE
 from pointpred.registry import REGISTRY
 from pointpred.scoring.report import write_report
 from pointpred.scoring.report.figures import STYLES, cost, curves, line_style
@@ -15,15 +15,24 @@ from pointpred.scoring.summary import summarise
 
 def test_every_name_of_the_registry_has_a_look_of_its_own():
     assert STYLES.keys() == REGISTRY.keys() - {"hold"}
-    looks = [(place, marker) for place, marker, _ in STYLES.values()]
-    assert len(set(looks)) == len(looks)
-    assert len({marker for _, marker in looks}) == len(looks)
+    assert len({marker for _, marker, _ in STYLES.values()}) == len(STYLES)
 
 
 def test_a_look_does_not_depend_on_the_rank():
     assert line_style("kalman", ["kalman", "linear"]) == line_style("kalman", ["linear", "x", "kalman"])
     assert line_style("mine", ["mine"]) == line_style("mine", ["linear", "mine"])
     assert line_style("kalman", ["linear"])["color"] == FAINT
+
+
+def test_as_many_names_as_there_are_colours_have_one_each():
+    for start in range(len(STYLES)):
+        names = [*STYLES, *STYLES][start : start + len(PALETTE)]
+        assert len({line_style(name, names)["color"] for name in names}) == len(PALETTE)
+        assert len({line_style(name, names)["marker"] for name in names}) == len(PALETTE)
+    usual = ["kinematic", "kinematic-adaptive", "switched", "minimum-jerk", "kep-quartic", "linear"]
+    assert [line_style(name, usual)["color"] for name in usual] == [
+        line_style(name, [name])["color"] for name in usual
+    ]
 
 
 @pytest.fixture(scope="module")
