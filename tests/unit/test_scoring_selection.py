@@ -15,9 +15,10 @@ from pointpred.errors import ParameterError, RecordingError
 from pointpred.recording import Recording, Trial
 from pointpred.recordings import write
 from pointpred.scoring import score, summarise
+from pointpred.scoring.report.tables import tables_of
 from pointpred.scoring.results import ScoredTrial
 from pointpred.scoring.selection import names_of, where_of
-from pointpred.scoring.statistics import contrasts
+from pointpred.scoring.statistics import axis_anova, contrasts
 
 LEARNS = "kinematic-adaptive"
 SHORT = sample().part(0, 48)
@@ -147,6 +148,8 @@ def test_who_was_asked_for_is_compared_and_nobody_else() -> None:
         for who in np.unique(people)
     ]
     assert pair.px == pytest.approx(np.mean(means), rel=1e-9)
+    _, table = tables_of(summarise(one), axis_anova(one, one.contrast))["contrasts"]
+    assert table[["first", "second", "difference [px]"]].values.tolist() == [["linear", "switched", pair.px]]
     (few,) = score([SHORT], names, contrast=["all"])
     assert "at least 3 people" in summarise(few).notes[-1]
     for wrong in (["linear"], ["linear", "linear"], ["linear", "kalman"]):
