@@ -27,6 +27,7 @@ from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
 from pointpred.predictors.kinematic import coefficient_file
 from pointpred.recording import Recording
+from pointpred.registry import settings_in
 from pointpred.scoring import resolution
 from pointpred.training import data, train
 from pointpred.training.data import Examples, TrainingData
@@ -83,10 +84,11 @@ def training_sets() -> set[str]:
 
 
 def pipeline(name: str, coefficients: Path, words: str, recording: Recording) -> Pipeline:
-    """A name of the registry with other coefficients, for a recording's screen."""
-    own = build(name, **resolution(recording, None, None))
-    assert isinstance(own.predictor, KinematicPredictor)
-    return Pipeline(name + words, own.differentiator, type(own.predictor)(coefficients=coefficients))
+    """A name of the registry and what is set behind it, with other coefficients, for a recording's screen."""
+    known, settings = settings_in(name)
+    own = build(known, coefficients=coefficients, **settings, **resolution(recording, None, None))
+    own.name = name + words
+    return own
 
 
 def key(folder: Path) -> str:

@@ -73,13 +73,15 @@ def with_names(function: Callable[..., Answer]) -> Callable[..., Answer]:
     return named
 
 
-def _annotations(function: Callable[..., Any]) -> list[str]:
+def _annotations(function: Callable[..., Any]) -> list[Any]:
     names = function.__code__.co_varnames[: function.__code__.co_argcount]
-    return [str(function.__annotations__.get(name, "")) for name in names]
+    return [function.__annotations__.get(name, "") for name in names]
 
 
-def _layout(function: Callable[..., Any], annotation: str) -> type[Layout] | None:
-    """The layout that an annotation names, such as ``Memory`` or ``sampling.State``."""
+def _layout(function: Callable[..., Any], annotation: Any) -> type[Layout] | None:
+    """The layout that an annotation is or names, such as ``Memory`` or ``sampling.State``."""
+    if not isinstance(annotation, str):
+        return annotation if isinstance(annotation, type) and issubclass(annotation, Layout) else None
     owner, _, word = annotation.rpartition(".")
     values = function.__globals__
     value = getattr(values.get(owner), word, None) if owner else values.get(word)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Hashable, Sequence
 from copy import copy
 from functools import cache
 from math import nan
-from typing import Any, Literal, Self, overload
+from typing import TYPE_CHECKING, Any, Literal, Self, overload
 
 import numpy as np
 
@@ -36,6 +36,9 @@ from pointpred.records import (
 from pointpred.scene import scene
 from pointpred.targets.aim import Aim
 from pointpred.targets.rectangles import Target
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 @cache
@@ -118,6 +121,10 @@ class Pipeline:
         self._joint: Callable[..., TenFloats] | None = None
         self._last: Callable[..., TenFloats] | None = None
 
+    def __repr__(self) -> str:
+        targets = f", {len(self._aim.ids)} targets" if self._aim is not None and self._aim.ids else ""
+        return f"<Pipeline {self.name}: {self.differentiator}, {self.predictor}{targets}>"
+
     def update(self, event: PointerEvent, /) -> Prediction | None:
         """Consume one event; ``None`` where nothing is justified now.
 
@@ -167,7 +174,7 @@ class Pipeline:
         nothing is then consumed.
         """
         if isinstance(events, np.ndarray):
-            if want == "last" and self._aim is None:
+            if want == "last" and self._aim is None and self.predictor.joined:
                 last, predictor = self._last or self._bind()[1], self.predictor
                 answer = last(self.differentiator._memory, predictor._memory, events, *predictor.shared)
                 if answer[0] == answer[0]:
@@ -324,12 +331,24 @@ class Pipeline:
         return twin
 
 
-def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns:
+@overload
+def run(pipeline: Pipeline, columns: EventColumns) -> PredictionColumns: ...
+
+
+@overload
+def run(pipeline: Pipeline, columns: pd.DataFrame) -> pd.DataFrame: ...
+
+
+def run(pipeline: Pipeline, columns: EventColumns | pd.DataFrame) -> PredictionColumns | pd.DataFrame:
     """Consume a table of events and return a row of predictions for each.
 
-    A row is NaN but for ``t`` and the phase where ``update`` gives ``None``.
+    A row is NaN but for ``t`` and the phase where ``update`` gives ``None``. A ``pandas.DataFrame`` with the
+    columns of ``EventColumns.of_frame`` gives one with the same index and the columns ``t_s, x_px, ...``.
 
     Continues from the pipeline's memory, so chunks equal the whole; a row marked ``begin`` resets first.
     Raises EventOrderError or EventError naming the row; nothing is then consumed.
     """
-    return PredictionColumns(pipeline.push(columns))
+    if isinstance(columns, EventColumns):
+        return PredictionColumns(pipeline.push(columns))
+    answers = PredictionColumns(pipeline.push(EventColumns.of_frame(columns)))
+    return answers.to_pandas().set_index(columns.index)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
@@ -12,7 +13,12 @@ from numpy.typing import NDArray
 from pointpred.errors import RecordingError
 from pointpred.records import EventColumns
 
+if TYPE_CHECKING:
+    import pandas as pd
+
 UNKNOWN = float("nan")
+ABOUT = ("user", "trial", "target_x", "target_y", "target_w", "clean")
+"""Of a trial, beside its conditions."""
 DETAIL = re.compile(r"""'[^']*'|"[^"]*"|[+-]?\b\d[\d.]*(e[+-]?\d+)?\b""")
 """What differs between reasons of one kind: numbers and quoted words."""
 
@@ -111,6 +117,30 @@ class Recording(msgspec.Struct, frozen=True):
         return cls(
             name, EventColumns(table, begin), offsets, tuple(trials), tuple(skipped), provenance, tuple(notes)
         )
+
+    def __repr__(self) -> str:
+        users = len({trial.user for trial in self.trials})
+        simulated = ", simulated" if self.provenance.simulated else ""
+        skipped = f", {len(self.skipped)} skipped" if self.skipped else ""
+        counts = f"{len(self.trials)} trials of {users} people{skipped}, {len(self.events)} events"
+        return f"<Recording {self.name}: {counts}{simulated}>"
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A ``pandas.DataFrame`` with a row an event.
+
+        Columns: ``user, trial, t_s, x_px, y_px, dx_counts, dy_counts, buttons, begin``, then what is known of
+        the trial, ``target_x, target_y, target_w`` (px), ``clean`` and its conditions. ``read_any`` reads it.
+        """
+        frame = self.events.to_pandas()
+        counts = np.diff(self.offsets)
+        names = list(dict.fromkeys(name for trial in self.trials for name in trial.condition))
+        about: dict[str, list[object]] = {name: [getattr(one, name) for one in self.trials] for name in ABOUT}
+        about |= {name: [one.condition.get(name) for one in self.trials] for name in names}
+        for place, (name, cells) in enumerate(about.items()):
+            column = np.repeat(np.array(cells, dtype=object), counts)
+            at = place if name in ABOUT[:2] else len(frame.columns)
+            frame.insert(at, name, column)
+        return frame.infer_objects()
 
     def rows(self, trial: int) -> EventColumns:
         """The events of one trial."""

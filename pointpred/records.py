@@ -11,30 +11,30 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import floor, inf, nan
-from operator import index
 from types import NoneType
 from typing import (
+    TYPE_CHECKING,
     Annotated,
     Any,
-    ClassVar,
-    Generic,
     Literal,
     NamedTuple,
     Self,
-    TypeVar,
     get_args,
     get_type_hints,
-    overload,
 )
 
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pointpred.columns import Columns, columns_of_frame, numbers_of
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError
 from pointpred.parameter import is_number, warn_of_milliseconds
 from pointpred.regions import Region, probability, region_of
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 FloatArray = NDArray[np.float64]
 FloatTable = NDArray[np.float64]
@@ -425,64 +425,11 @@ def prediction_of(row: Row) -> Prediction | None:
     return Prediction(t, x, y, scale, PHASES[int(phase)], left, freedom, spread if spread == spread else None)
 
 
-Record = TypeVar("Record")
-
-
-class Columns(Generic[Record]):
-    """A table of shape (rows, fields) with a name for each column.
-
-    Iterating gives the rows as records, an integer index one of them, a slice the columns of some rows.
-    """
-
-    names: ClassVar[tuple[str, ...]] = ()
-
-    def __init__(self, table: ArrayLike) -> None:
-        table = _numbers(table, type(self).__name__)
-        if table.ndim != 2 or table.shape[1] != len(self.names):
-            raise EventError(
-                f"{type(self).__name__} needs shape (rows, {len(self.names)}), received {table.shape}"
-            )
-        self.table = np.ascontiguousarray(table)
-
-    def __len__(self) -> int:
-        return len(self.table)
-
-    def __iter__(self) -> Iterator[Record]:
-        return map(self._record, self.table.tolist())
-
-    @overload
-    def __getitem__(self, place: slice) -> Self: ...
-
-    @overload
-    def __getitem__(self, place: int) -> Record: ...
-
-    def __getitem__(self, place: int | slice) -> Record | Self:
-        if isinstance(place, slice):
-            return self._rows(place)
-        return self._record(self.table[index(place)].tolist())
-
-    def _record(self, row: list[float]) -> Record:
-        """A row as a record."""
-        raise NotImplementedError
-
-    def _rows(self, some: slice) -> Self:
-        """Some rows as columns."""
-        return type(self)(self.table[some])
-
-    def __getattr__(self, name: str) -> FloatArray:
-        if name in type(self).names:
-            column: FloatArray = self.table[:, type(self).names.index(name)]
-            return column
-        raise AttributeError(f"{type(self).__name__} has no column {name!r}")
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.table,)
-
-
 class EventColumns(Columns[PointerEvent]):
     """Pointer events as columns, with ``begin`` marking the rows before which a stage is reset."""
 
     names = EventRow._fields
+    titles = tuple(field.column for field in EVENT_FIELDS)
 
     def __init__(self, table: ArrayLike, begin: BoolArray | None = None) -> None:
         super().__init__(table)
@@ -506,14 +453,14 @@ class EventColumns(Columns[PointerEvent]):
 
         Warns of t in milliseconds. Raises EventError for an array of another length or of no numbers.
         """
-        time = _numbers(t, "t")
+        time = numbers_of(t, "t")
         if time.ndim != 1:
             raise EventError(f"t needs one number a row, received shape {time.shape}")
         table = np.column_stack([np.full((len(time), 5), np.nan), np.zeros(len(time))])
         for column, values in enumerate((time, x, y, dx, dy, buttons)):
             if values is None:
                 continue
-            numbers = _numbers(values, cls.names[column])
+            numbers = numbers_of(values, cls.names[column])
             if numbers.shape != time.shape:
                 raise EventError(
                     f"{cls.names[column]} needs {len(time)} rows as t has, received shape {numbers.shape}"
@@ -521,6 +468,15 @@ class EventColumns(Columns[PointerEvent]):
             table[:, column] = numbers
         warn_of_milliseconds(np.diff(time))
         return cls(table, begin)
+
+    @classmethod
+    def of_frame(cls, frame: pd.DataFrame) -> Self:
+        """Columns from a ``pandas.DataFrame`` with ``t, x, y`` or ``t_s, x_px, y_px``.
+
+        ``dx, dy`` or ``dx_counts, dy_counts``, ``buttons`` and ``begin`` may be there; others are left aside.
+        """
+        names = {**dict(zip(cls.names, cls.titles, strict=True)), "begin": "begin"}
+        return cls.of(**columns_of_frame(frame, names, 3))
 
     @classmethod
     def of_events(cls, events: Iterable[PointerEvent]) -> Self:
@@ -534,6 +490,10 @@ class EventColumns(Columns[PointerEvent]):
     def rows(self, start: int, stop: int) -> Self:
         """The rows from ``start`` up to ``stop``."""
         return self[start:stop]
+
+    def to_pandas(self) -> pd.DataFrame:
+        """As of all columns, with ``begin``."""
+        return super().to_pandas().assign(buttons=self.buttons.astype(np.int64), begin=self.begin)
 
     def _record(self, row: list[float]) -> PointerEvent:
         return event_of(tuple(row))
@@ -571,6 +531,7 @@ class PredictionColumns(Columns[Prediction | None]):
     """Predictions as columns; a row without a prediction is NaN but for ``t`` and the phase."""
 
     names = PredictionRow._fields
+    titles = tuple(field.column for field in PREDICTION_FIELDS)
 
     def predictions(self) -> Iterator[Prediction | None]:
         """The rows as records, ``None`` where nothing was justified."""
@@ -585,16 +546,12 @@ class PredictionColumns(Columns[Prediction | None]):
         rows = [none if one is None else (one.x, one.y, one.major, one.minor, one.angle) for one in regions]
         return RegionColumns(np.array(rows, dtype=np.float64).reshape(-1, len(RegionColumns.names)))
 
+    def to_pandas(self) -> pd.DataFrame:
+        """As of all columns, with the phase as a word."""
+        phases: list[str | None] = [
+            PHASES[int(code)] if code == code else None for code in self.phase.tolist()
+        ]
+        return super().to_pandas().assign(phase=np.array(phases, dtype=object))
+
     def _record(self, row: list[float]) -> Prediction | None:
         return prediction_of(tuple(row))
-
-
-def _numbers(values: ArrayLike, name: str) -> FloatArray:
-    """An array of floats, from what numpy takes for numbers."""
-    try:
-        array = np.asarray(values)
-        if array.dtype.kind not in "biufO":
-            raise TypeError(f"received {array.dtype}")
-        return array.astype(np.float64, copy=False)
-    except (TypeError, ValueError) as wrong:
-        raise EventError(f"{name} needs numbers: {wrong}") from wrong

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import difflib
+import inspect
+import re
 import warnings
-from collections.abc import Sequence
-from functools import cache
-from importlib.metadata import entry_points
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from functools import cache, partial
+from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 import msgspec
@@ -43,6 +46,8 @@ class Entry(msgspec.Struct, frozen=True):
     reference: str
     differentiator: str = "homogeneous"
     preset: dict[str, Any] = {}
+    make: Callable[..., Any] | None = None
+    """What makes it, where that is a function of another package and no class of ours; see ``made``."""
 
 
 LONGEST_COMPARED = 64
@@ -145,38 +150,137 @@ REGISTRY: dict[str, Entry] = {
 
 
 @cache
-def find_others() -> None:
-    """Add the predictors of other packages to REGISTRY: entry points of the group ``pointpred.predictors``.
+def others() -> dict[str, EntryPoint]:
+    """The predictors of other packages by name: entry points of the group ``pointpred.predictors``.
 
-    The name of an entry point is the predictor's, its object a subclass of ``Predictor``. One that cannot be
-    loaded, is something else or has a name that is taken is left out with a warning. ``build`` looks for them
-    when it meets an unknown name, the command line before it begins.
+    Nothing is imported. The name of an entry point is the predictor's; a name of ours cannot be taken.
     """
-    for found in entry_points(group="pointpred.predictors"):
-        try:
-            predictor = found.load()
-        except Exception as error:  # whatever a foreign package raises while it is imported
-            trouble = f"cannot be loaded: {error}"
+    found: dict[str, EntryPoint] = {}
+    for one in entry_points(group="pointpred.predictors"):
+        if one.name in REGISTRY or one.name in found:
+            warnings.warn(
+                f"the predictor {one.name!r} of {package_of(one)} has a name that is taken", stacklevel=3
+            )
         else:
-            if not (isinstance(predictor, type) and issubclass(predictor, Predictor)):
-                trouble = f"must be a subclass of pointpred.predictors.Predictor, received {predictor!r}"
-            elif found.name in REGISTRY:
-                trouble = "has a name that is taken"
-            else:
-                title = (predictor.__doc__ or found.value).strip().splitlines()[0].rstrip(".")
-                package = f"{found.dist.name} {found.dist.version}" if found.dist else found.module
-                REGISTRY[found.name] = Entry(found.name, predictor, title, package)
-                continue
-        warnings.warn(
-            f"the predictor {found.name!r} of {found.value} {trouble}; it is left out", stacklevel=2
-        )
+            found[one.name] = one
+    return found
+
+
+def package_of(found: EntryPoint) -> str:
+    """The package and version of an entry point, and its object."""
+    package = f"{found.dist.name} {found.dist.version}" if found.dist else found.module
+    return f"{package} ({found.value})"
+
+
+def load(name: str) -> Entry:
+    """Import a predictor of another package, make it once, and enter it into REGISTRY.
+
+    Its object is a subclass of ``Predictor``, or a callable that makes a ``Predictor``, a ``Pipeline``, or an
+    object of plain Python as ``PlainPredictor`` takes it. Raises ParameterError that names the package.
+    """
+    found = others()[name]
+    try:
+        predictor = found.load()
+        if not callable(predictor):
+            raise TypeError(f"it must be callable, received {predictor!r}")
+        title = (inspect.getdoc(predictor) or found.value).splitlines()[0].rstrip(".")
+        package = package_of(found).partition(" (")[0]
+        if isinstance(predictor, type) and issubclass(predictor, Predictor):
+            entry = Entry(name, predictor, title, package)
+        else:
+            entry = Entry(name, Predictor, title, package, make=predictor)
+            entry = msgspec.structs.replace(entry, predictor=type(made(entry, {}, {}).predictor))
+    except Exception as error:  # whatever a foreign package raises
+        why = f"{type(error).__name__}: {error}" if not isinstance(error, ParameterError) else error
+        message = f"the predictor {name!r} of {package_of(found)} cannot be used: {why}"
+        raise ParameterError(message, code="unknown_predictor", field="predictor", value=name) from error
+    REGISTRY[name] = entry
+    return entry
+
+
+def find_others() -> list[str]:
+    """Enter every predictor of other packages into REGISTRY; returns what is wrong with those left out."""
+    wrong = []
+    for name in [one for one in others() if one not in REGISTRY]:
+        try:
+            load(name)
+        except ParameterError as error:
+            wrong.append(str(error))
+    return wrong
+
+
+def made(entry: Entry, settings: Mapping[str, Any], resolution: Mapping[str, Any]) -> Pipeline:
+    """The pipeline of what a function of another package makes.
+
+    ``settings`` go to the function or to the differentiator, ``resolution`` (cpi, dpi) also to the function
+    where it takes them. Raises ParameterError for what neither takes.
+    """
+    assert entry.make is not None
+    taken = inspect.signature(entry.make).parameters
+    anything = any(one.kind is inspect.Parameter.VAR_KEYWORD for one in taken.values())
+    shared = _names(DIFFERENTIATORS[entry.differentiator])
+    for word in settings:
+        if not anything and word not in (*taken, *shared):
+            raise _unknown(f"parameter of {entry.name}", word, word, [*taken, *shared])
+    own = {
+        word: value for word, value in settings.items() if word in taken or (anything and word not in shared)
+    }
+    make = partial(entry.make, **own, **{word: value for word, value in resolution.items() if word in taken})
+    one = make()
+    if isinstance(one, Pipeline):
+        for word in settings.keys() - own.keys():
+            raise _unknown(f"parameter of {entry.name}", word, word, list(taken))
+        one.name = entry.name
+        return one
+    if not isinstance(one, Predictor):
+        if not all(callable(getattr(one, word, None)) for word in ("update", "reset")):
+            expected = "a Pipeline, a Predictor, or an object with update(motion) and reset()"
+            raise ParameterError(f"it must make {expected}, made {one!r:.80}", field="predictor")
+        from pointpred.predictors.plain import PlainPredictor
+
+        one = PlainPredictor(make)
+    rest = GAINS | {word: value for word, value in settings.items() if word not in own} | dict(resolution)
+    values = {word: value for word, value in rest.items() if word in shared}
+    return Pipeline(entry.name, DIFFERENTIATORS[entry.differentiator](**values), one)
+
+
+def settings_in(spelled: str) -> tuple[str, dict[str, Any]]:
+    """A name and what is set behind it, each after a colon; values are numbers, or words.
+
+    >>> settings_in("kinematic-adaptive:places=0:distances=0")
+    ('kinematic-adaptive', {'places': 0, 'distances': 0})
+    """
+    name, *parts = re.split(r":(?=\s*\w+\s*=)", spelled)
+    settings: dict[str, Any] = {}
+    for part in parts:
+        word, _, text = (piece.strip() for piece in part.partition("="))
+        settings[word] = text
+        for kind in (float, int):  # the last that fits
+            with suppress(ValueError):
+                settings[word] = kind(text)
+    return name.strip(), settings
+
+
+def ablation(spelled: str) -> str | None:
+    """The same predictor without its memory of ends and distances; ``None`` where it has none.
+
+    >>> ablation("kinematic-adaptive:shortest_px=5"), ablation("linear")
+    ('kinematic-adaptive:shortest_px=5:places=0:distances=0', None)
+    """
+    name, settings = settings_in(spelled)
+    without = {**settings, **_entry(name).predictor.without_memory}
+    if without == settings or not build(name, **settings).learns:
+        return None
+    return ":".join([name, *(f"{word}={value}" for word, value in without.items())])
 
 
 def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:
     """Every parameter of a name with its value unless set otherwise, predictor's first."""
     entry = _entry(name)
     preset = GAINS | entry.preset
-    stages = (entry.predictor, DIFFERENTIATORS[entry.differentiator])
+    stages: tuple[type[CompiledStage], ...] = (entry.predictor, DIFFERENTIATORS[entry.differentiator])
+    if entry.make is not None:  # what it takes is not declared
+        stages = ()
     return {
         one.name: (one, preset.get(one.name, one.default)) for stage in stages for one in stage.parameters
     }
@@ -234,6 +338,12 @@ def build(
     ''
     """
     entry = _entry(name)
+    if entry.make is not None:
+        pipeline = made(entry, parameters, {"cpi": cpi, "dpi": dpi})
+        pipeline.person = person
+        if targets:
+            pipeline.register(targets)
+        return pipeline
     chosen = parameters.pop("differentiator", entry.differentiator)
     if not isinstance(chosen, str) or chosen not in DIFFERENTIATORS:
         raise _unknown("differentiator", "differentiator", chosen, list(DIFFERENTIATORS))
@@ -260,10 +370,10 @@ def _names(stage: type[CompiledStage]) -> list[str]:
 
 
 def _entry(name: str) -> Entry:
-    if isinstance(name, str) and name not in REGISTRY:
-        find_others()
+    if isinstance(name, str) and name not in REGISTRY and name in others():
+        return load(name)
     if not isinstance(name, str) or name not in REGISTRY:
-        raise _unknown("predictor", "predictor", name, list(REGISTRY))
+        raise _unknown("predictor", "predictor", name, [*REGISTRY, *others()])
     return REGISTRY[name]
 
 

@@ -193,6 +193,13 @@ class CompiledStage:
         self._memory = np.zeros(self._first + states)
         self._memory[: len(settings)] = settings
 
+    def __repr__(self) -> str:
+        """The class and the numbers and words that are not its defaults."""
+        said = [(one, getattr(self, one.name)) for one in type(self).declarations]
+        short = ((one, value) for one, value in said if isinstance(value, int | float | str))
+        values = (f"{one.name}={value!r}" for one, value in short if value != one.default)
+        return f"{type(self).__name__}({', '.join(values)})"
+
     def reset(self) -> None:
         """Forget every sample of the movement: the memory is replaced whole."""
         memory = self._memory.copy()

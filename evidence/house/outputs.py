@@ -33,8 +33,8 @@ DESIGNS: tuple[tuple[str, ...], ...] = (
     ("pendulum",),
     ("tank",),
     ("wing",),
-    ("spring", "--generator", "oscillator.json"),
-    ("oven", "--generator", "heating.json"),
+    ("spring", "oscillator.json"),
+    ("oven", "heating.json"),
 )
 FIGURES = ("2.5", "2.7", "2.11", "2.12", "3.3", "3.7", "3.8", "3.9", "4.2", "4.4", "camera-table-1")
 
@@ -145,9 +145,7 @@ def documents(folder: Path, recordings: Path, inputs: list[Path]) -> Iterator[Di
         yield f"observers/design/{plant}/{'-'.join(options)}", digest(done.returncode, done.stdout, design)
     command("camera", "simulate", "--focal-px", 800, "--out", "camera.csv")
     yield "camera/simulate", digest((folder / "camera.csv").read_bytes())
-    done = command(
-        "camera", "run", "camera.csv", "--focal-px", 800, "--truth", "camera_truth.csv", "--json", "-"
-    )
+    done = command("camera", "run", "camera.csv", "camera_truth.csv", "--focal-px", 800, "--json", "-")
     yield "camera/run", digest(done.stdout)
     for number in FIGURES:
         done = command("reproduce", number, "--out", "figure.svg", "--force", "--json", "-")

@@ -273,9 +273,13 @@ def readme_scores() -> dict[str, Any]:
     if sample is None:
         raise ParameterError("the embedded sample was not scored; run `make results`", code="missing")
     together = overall(sets)
+    chosen = [(f"`{name}`", sample.scored(name)) for name in IN_README]
+    for place, name in reversed(list(enumerate(IN_README, 1))):
+        if without := sample.without_memory(name):
+            chosen.insert(place, (f"`{name}` without memory", without))
     return {
         "made": sample.summary,
-        "chosen": [sample.scored(name) for name in IN_README],
+        "chosen": chosen,
         "overall": together,
         "fitted": [one for one in together.learned if one.without == "set"],
     }

@@ -23,7 +23,9 @@ from evidence.results.records import FOLDER, SetResults, write
 from pointpred import REGISTRY
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
+from pointpred.registry import ablation, settings_in
 from pointpred.scoring import PredictorErrors, SetScore, prepare, replay, resolution, score, summarise
+from pointpred.scoring.scorer import with_ablations
 from pointpred.scoring.trials import Prepared
 
 ARRAYS = ("time_averaged", "by_time", "by_path", "single_axis", "coverage")
@@ -37,7 +39,7 @@ def patterns(
     plain: list[str | Pipeline] = []
     by_person, missing = [], []
     for name in predictors:
-        if name not in trained_predictors() or recording.name not in training_sets():
+        if settings_in(name)[0] not in trained_predictors() or recording.name not in training_sets():
             plain.append(name)
             continue
         alone = held.of_set(name, recording)
@@ -45,6 +47,8 @@ def patterns(
             missing.append(f"`{name}{SET_OUT}`: no other set at hand to learn from")
         else:
             plain.append(alone)
+        if name not in trained_predictors():
+            continue  # the sets say what memory gains
         people = held.of_people(name, recording)
         unknown = {trial.user for trial in recording.trials} - people.keys()
         if unknown:
@@ -60,8 +64,15 @@ def scored(recording: Recording, predictors: Sequence[str], held: HeldOut, seed:
     (whole,) = score([recording], plain, seed=seed)
     prepared = prepare(recording, **resolution(recording, None, None)) if by_person else None
     rows = [replay_by_person(prepared, name, people) for name, people in by_person if prepared is not None]
+    rows = [*map(_beside_memory, whole.predictors), *rows]
     notes = [f"not scored: {one}" for one in missing]
-    return msgspec.structs.replace(whole, predictors=(*whole.predictors, *rows), notes=(*whole.notes, *notes))
+    return msgspec.structs.replace(whole, predictors=tuple(rows), notes=(*whole.notes, *notes))
+
+
+def _beside_memory(row: PredictorErrors) -> PredictorErrors:
+    """The row of what learned from recordings with the predictor that it is without memory, if it is one."""
+    ablated = {f"{ablation(name)}{SET_OUT}": f"{name}{SET_OUT}" for name in REGISTRY}
+    return msgspec.structs.replace(row, ablates=ablated.get(row.name, row.ablates))
 
 
 def replay_by_person(prepared: Prepared, name: str, people: Mapping[str, Pipeline]) -> PredictorErrors:
@@ -81,8 +92,9 @@ def replay_by_person(prepared: Prepared, name: str, people: Mapping[str, Pipelin
                 values[mask[key]] = getattr(part, field)[mask[key]]
     own = {user: id(pattern) for user, pattern in people.items()}
     failed = [skip for key, part in parts.items() for skip in part.failed if own[str(skip.user)] == key]
+    learns = any(pattern.learns for pattern in chosen.values())
     cost = float(np.mean([part.us_per_event for part in parts.values()]))
-    return PredictorErrors(name, **whole, us_per_event=cost, failed=tuple(failed))
+    return PredictorErrors(name, **whole, us_per_event=cost, failed=tuple(failed), learns=learns)
 
 
 SEED = 0
@@ -101,7 +113,7 @@ def results_of(recording: Recording, predictors: Sequence[str], held: HeldOut) -
 def measure(folder: Path | None, predictors: Sequence[str], out: Path = FOLDER) -> dict[str, str]:
     """Score every set and keep its results; returns why files could not be read, by name."""
     unread: dict[str, str] = {}
-    learns = any(name in held_out.trained_predictors() for name in predictors)
+    learns = any(settings_in(name)[0] in held_out.trained_predictors() for name in predictors)
     held = held_out.held_out(folder if learns else None)
     for recording in sets.recordings(folder, unread):
         print(f"wrote {write(results_of(recording, predictors, held), out)}")
@@ -110,5 +122,5 @@ def measure(folder: Path | None, predictors: Sequence[str], out: Path = FOLDER) 
 
 if __name__ == "__main__":
     parse(__doc__)
-    for reason in measure(sets.folder(), list(REGISTRY)).values():
+    for reason in measure(sets.folder(), with_ablations(list(REGISTRY))).values():
         print(f"not read: {reason}")

@@ -87,7 +87,7 @@ def learned(people: Sequence[SetResults]) -> list[Learned]:
     """How what has learned does without the set, and without the person; unknown errors are left out."""
     rows_of = []
     for without, ending in (("set", SET_OUT), ("person", PEOPLE_OUT)):
-        names = dict.fromkeys(p.name for one in people for p in one.summary.predictors)
+        names = dict.fromkeys(p.name for one in people for p in one.summary.predictors if not p.ablates)
         for name in (name for name in names if name.endswith(ending)):
             rows = {one.summary.name: p for one in people for p in one.summary.predictors if p.name == name}
             ratios = [p.time_averaged.of_hold for p in rows.values() if p.time_averaged.of_hold is not None]
@@ -156,6 +156,10 @@ class Overall(msgspec.Struct, frozen=True):
     cautious: Cautious | None
     alone: list[str]
     """Sets of one person"""
+    ablated: dict[str, list[float]]
+    """Time-averaged error over hold's on the recorded sets, of predictors without their memory."""
+    repeats: list[tuple[float, float]]
+    """Shares of ends and of distances that repeat on the recorded sets."""
     recommended: str = RECOMMENDED
 
 
@@ -178,6 +182,14 @@ def overall(sets: Sequence[SetResults]) -> Overall:
         learned=learned(people),
         cautious=cautious(people),
         alone=[one.summary.name for one in scored if one.summary.users == 1],
+        ablated={
+            name: [row.time_averaged.of_hold for row in rows if row and row.time_averaged.of_hold is not None]
+            for name in recorded
+            if any(rows := [one.without_memory(name) for one in people])
+        },
+        repeats=[
+            (again.ends, again.distances) for one in people if (again := one.summary.repeats) is not None
+        ],
     )
 
 
@@ -225,9 +237,10 @@ def costs(sets: Sequence[SetResults]) -> dict[str, tuple[list[float], list[float
 
 def drawn(one: SetSummary) -> Picture:
     """The error of a set against time."""
-    judged = tuple(p for p in one.predictors if not p.name.endswith(PEOPLE_OUT))
+    plain = msgspec.structs.replace(one, predictors=tuple(p for p in one.predictors if not p.ablates))
+    judged = tuple(p for p in plain.predictors if not p.name.endswith(PEOPLE_OUT))
     shown = highlighted(msgspec.structs.replace(one, predictors=judged))
-    return curves(one, shown, "by_time", "of_hold")
+    return curves(plain, shown, "by_time", "of_hold")
 
 
 def save_figures() -> None:

@@ -24,9 +24,17 @@ class SetResults(msgspec.Struct, frozen=True):
 
     @property
     def judged(self) -> dict[str, PredictorSummary]:
-        """Predictors by name; what has learned is judged by coefficients that did not see the set."""
-        rows = {one.name.removesuffix(SET_OUT): one for one in self.summary.predictors}
+        """Predictors by name; what has learned is judged by coefficients that did not see the set.
+
+        Those without memory stand beside what they are compared with: ``without_memory``.
+        """
+        rows = {one.name.removesuffix(SET_OUT): one for one in self.summary.predictors if not one.ablates}
         return {name: one for name, one in rows.items() if not name.endswith(PEOPLE_OUT)}
+
+    def without_memory(self, name: str) -> PredictorSummary | None:
+        """The same predictor without its memory of ends and distances; ``None`` where it has none."""
+        rows = {one.ablates.removesuffix(SET_OUT): one for one in self.summary.predictors if one.ablates}
+        return rows.get(name)
 
     def scored(self, name: str) -> PredictorSummary:
         """One predictor, by its name in the registry; raises ParameterError where it was not scored."""

@@ -132,11 +132,11 @@ def test_both_bounds_of_a_regulator_are_written_and_named(command: Command, tmp_
 def test_plants_with_a_generator(command: Command, tmp_path: Path) -> None:
     for name in ("oven", "heating", "spring", "oscillator"):
         command("observers", "example", name, "--out", tmp_path / f"{name}.json")
-    left = command("observers", "design", tmp_path / "oven.json", "--generator", tmp_path / "heating.json")
+    left = command("observers", "design", tmp_path / "oven.json", tmp_path / "heating.json")
     assert (left.code, "driven observer" in left.out) == (0, True)
     words = ("--upper", "1", "--first", "w1", "--decay", "0.5")
-    generator = ("--generator", tmp_path / "oscillator.json")
-    left = command("observers", "design", tmp_path / "spring.json", *generator, *words)
+    generator = tmp_path / "oscillator.json"
+    left = command("observers", "design", tmp_path / "spring.json", generator, *words)
     assert (left.code, "interlaced observer" in left.out) == (0, True)
     for name in ("oven", "spring"):
         left = command(
@@ -166,7 +166,7 @@ def test_what_cannot_be_done_is_one_line_and_an_exit_code(
     refused(
         command, 2, "'parameter-varying plant'", "design", plant, "--observer", "unknown-input", "--force"
     )
-    refused(command, 2, "needs --generator", "design", plant, "--observer", "driven", "--force")
+    refused(command, 2, "needs GENERATOR", "design", plant, "--observer", "driven", "--force")
     refused(command, 2, "needs the file of a plant", "design", motor)
     refused(command, 2, "design one first", "simulate", plant)
     refused(command, 2, "--input must be a function of t", "simulate", motor, "--input", "sin(x)")
@@ -200,14 +200,14 @@ def test_an_option_that_would_be_ignored_is_refused(command: Command, motor: Pat
     refused(command, 2, "--seconds must be a whole number", "simulate", design, "--seconds", "7.5")
     words = "is for --observer interlaced, this one is reduced-order: leave it out"
     refused(command, 2, f"--upper {words}", "design", plant, "--upper", "1", "--force")
-    generator = ("--generator", tank, "--observer", "full-order")
-    refused(command, 2, "--generator is for --observer driven", "design", plant, *generator, "--force")
+    generator = (tank, "--observer", "full-order")
+    refused(command, 2, "GENERATOR is for --observer driven", "design", plant, *generator, "--force")
 
 
 def test_a_steady_state_of_another_symbol_is_refused(command: Command, tmp_path: Path) -> None:
     for name in ("spring", "oscillator"):
         command("observers", "example", name, "--out", tmp_path / f"{name}.json")
-    generator = ("--generator", tmp_path / "oscillator.json", "--upper", "1")
+    generator = (tmp_path / "oscillator.json", "--upper", "1")
     words = "--first may hold the generator's states w1, w2, received 'foo+1' with foo"
     refused(command, 2, words, "design", tmp_path / "spring.json", *generator, "--first", "foo+1")
 
@@ -247,7 +247,7 @@ def test_no_command_replaces_what_it_reads(command: Command, tmp_path: Path) -> 
     o.save(o.design_full_order(o.load(plant), decay=0.1), design)
     (tmp_path / "motor.json").write_bytes(plant.read_bytes())
     before = {one: one.read_bytes() for one in (plant, design, generator)}
-    driven = ("design", plant, "--generator", generator)
+    driven = ("design", plant, generator)
     calls: list[tuple[tuple[str | Path, ...], str, Path]] = [
         (("design", plant, "--out", other), "--json", plant),
         (("design", plant), "--out", plant),

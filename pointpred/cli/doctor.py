@@ -177,6 +177,21 @@ def folders() -> list[Finding]:
     return findings
 
 
+def predictors() -> list[Finding]:
+    """Predictors of other packages."""
+    from pointpred.registry import load, others, package_of
+
+    findings = []
+    for name, found in others().items():
+        try:
+            load(name)
+            findings.append(Finding(f"predictor {name}", "good", package_of(found)))
+        except PointpredError as error:
+            advice = f"repair or uninstall it; 'pointpred predictors {name}' says more"
+            findings.append(Finding(f"predictor {name}", "broken", str(error), advice))
+    return findings
+
+
 def distributions() -> list[Finding]:
     """What the distributions installed beside this one look at."""
     return [
@@ -186,5 +201,5 @@ def distributions() -> list[Finding]:
     ]
 
 
-CHECKS = (python, laws, extras, devices, cursor, folders, distributions)
+CHECKS = (python, laws, extras, devices, cursor, folders, predictors, distributions)
 """In the order in which one thing builds on another."""

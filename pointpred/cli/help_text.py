@@ -58,12 +58,6 @@ class _Command(TyperCommand):
     def get_params(self, ctx: Any) -> list[Any]:
         return _named(super().get_params(ctx))
 
-    def invoke(self, ctx: Any) -> Any:
-        from pointpred.registry import find_others  # not for the help, which needs no predictor
-
-        find_others()
-        return super().invoke(ctx)
-
     def format_help(self, ctx: Any, formatter: Any) -> None:
         super().format_help(ctx, formatter)
         if lines := examples(self.callback):

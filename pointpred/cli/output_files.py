@@ -116,9 +116,10 @@ def _is_recording(path: Path) -> bool:
 
 
 def _is_table_of_trials(path: Path) -> bool:
-    """Whether a table is one of ``pointpred measures``, by its heading: it holds no samples."""
+    """Whether a table is one of ``measures`` or ``score --trials``, by its heading: it holds no samples."""
     with path.open("rb") as file:
-        return b"movement_time_s" in file.readline()
+        heading = file.readline()
+    return b"movement_time_s" in heading or b"time_averaged_px" in heading
 
 
 class _Formatted(msgspec.Struct):

@@ -28,17 +28,16 @@ def reproduce(
             "are listed."
         ),
     ] = None,
+    recordings: Annotated[
+        Path | None,
+        typer.Argument(
+            help="A recording of people in place of simulated ones (2.2, 2.3, 2.8 to 2.10, 2.12, 2.13), or "
+            "the folder that holds sniffer.csv (3.10, 3.11)."
+        ),
+    ] = None,
     out: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="SVG file to draw (thesis-2.12.svg, camera-1.svg)."),
-    ] = None,
-    recordings: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="PATH",
-            help="A recording of people in place of simulated ones (2.2, 2.3, 2.8 to 2.10, 2.12, 2.13), or "
-            "the folder that holds sniffer.csv (3.10, 3.11).",
-        ),
     ] = None,
     json: Numbers = None,
     force: Force = False,
@@ -55,7 +54,7 @@ def reproduce(
 
       pointpred reproduce 2.11
 
-      pointpred reproduce 2.12 --recordings study_samples.parquet --out error.svg
+      pointpred reproduce 2.12 study_samples.parquet --out error.svg
     """
     from pointpred.reproduction.catalogue import ENTRIES, entry_of, not_installed
 
@@ -88,9 +87,9 @@ def reproduce(
 def _target(entry: Entry, out: Path | None, data: Path | None, json: Path | None, force: bool) -> Path | None:
     """The file to draw, ``None`` for a table; raises ParameterError where something cannot be used."""
     if data is not None and not entry.reads:
-        raise ParameterError(f"{entry.number} is computed without recordings: leave --recordings out")
+        raise ParameterError(f"{entry.number} is computed without recordings: leave {data} out")
     if data is not None and not data.exists():
-        raise ParameterError(f"--recordings: no such file or folder: {data}")
+        raise ParameterError(f"no such file or folder: {data}")
     if entry.is_table and out is not None:
         raise ParameterError(f"{entry.number} is a table, which is printed: leave --out out")
     target = None if entry.is_table else out or Path(entry.file_name)
@@ -109,7 +108,7 @@ def _title(entry: Entry) -> str:
 def _print_list(entries: list[Entry]) -> None:
     rows = []
     for one in entries:
-        note = "diagram" if one.make is None else one.reads and f"--recordings: {one.reads}"
+        note = "diagram" if one.make is None else one.reads and f"can read {one.reads}"
         rows.append((one.number, one.shows, note))
     results().print(table(("number", "shows", "reads"), rows, whole=("number",)))
 

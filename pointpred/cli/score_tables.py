@@ -9,7 +9,8 @@ from rich.table import Table
 
 from pointpred.console import NARROW, counted, remark, results, table
 from pointpred.recording import Skip, kinds_of
-from pointpred.scoring import HEADINGS, about_targets, footnotes, rows
+from pointpred.registry import REGISTRY
+from pointpred.scoring import HEADINGS, about_memory, about_targets, footnotes, rows
 from pointpred.scoring.results import TIME_FRACTIONS
 from pointpred.scoring.summary import SetSummary
 
@@ -26,6 +27,9 @@ IN_NARROW = {
     "answers": "answers",
 }
 """What a narrow terminal shows, and what it is called there."""
+LONGEST_NAME = max(map(len, REGISTRY))
+WHOLE = ("clean", "answers", "us/event")
+"""Columns that only the table of all trials has."""
 REASONS_SHOWN = 5
 DIAL = 0.5
 """The precision that is shown: the one that sessions begin with."""
@@ -50,10 +54,17 @@ def print_sets(sets: Sequence[SetSummary], *, drawn: bool = False) -> None:
         if one.trials:
             results().print(title(one), style="bold", markup=False)
             results().print(_table(one))
-            if words := about_targets(one):
+            for words in filter(None, (about_targets(one), about_memory(one))):
                 results().print(words, markup=False)
             for note in footnotes(one):
                 results().print(note, style="red", markup=False)
+            for key, group in one.groups.items():
+                if group.column:
+                    words = f"{group.label}: {counted(group.trials, 'trial')}"
+                    results().print(words, style="bold", markup=False)
+                    results().print(_table(one, key))
+            if one.contrasts:
+                _print_contrasts(one)
         for words in _remarks(one):
             remark(f"{one.name}: {words}")
     if any(one.trials for one in sets):
@@ -75,13 +86,39 @@ def title(one: SetSummary) -> str:
     return f"{one.name}: {trials}{skipped}, {people}; hold is {floor:.1f} {one.unit} off"
 
 
-def _table(one: SetSummary) -> Table:
-    names = {heading: heading for heading in HEADINGS} if results().width >= NARROW else {**IN_NARROW}
-    if one.candidates:  # names of predictors are longer
+def _table(one: SetSummary, group: str = "") -> Table:
+    longer = max(len(row[0]) for row in rows(one)) - LONGEST_NAME
+    wide = results().width >= NARROW + max(longer, 0)
+    names = {heading: heading for heading in HEADINGS} if wide else {**IN_NARROW}
+    if longer > 0:
         names["share of hold's error"] = IN_NARROW["share of hold's error"]
-    shown = [i for i, heading in enumerate(HEADINGS) if heading in names]
+    shown = [i for i, heading in enumerate(HEADINGS) if heading in names and not (group and heading in WHOLE)]
     headings = [names[HEADINGS[i]] for i in shown]
-    return table(headings, [[row[i] for i in shown] for row in rows(one)], whole=headings, right=headings[1:])
+    return table(
+        headings, [[row[i] for i in shown] for row in rows(one, group)], whole=headings, right=headings[1:]
+    )
+
+
+def _print_contrasts(one: SetSummary) -> None:
+    """Pairs of predictors compared over people."""
+    cells = [
+        (
+            each.first, each.second, f"{each.px:.1f}", f"{each.interval[0]:.1f} to {each.interval[1]:.1f}",
+            *(("-",) * 3 if each.t is None else (f"{each.t:.2f}", _p(each.p), _p(each.p_holm))),
+        )
+        for each in one.contrasts
+    ]  # fmt: skip
+    people = one.contrasts[0].people
+    results().print(f"Compared over {people} people:", style="bold", markup=False)
+    headings = ("first", "second", f"first - second, {one.unit}", "95 % interval", "t", "p", "p (Holm)")
+    results().print(table(headings, cells, whole=headings[:2], right=headings[2:]))
+    results().print(
+        f"Paired t tests of each person's mean error, {people - 1} degrees of freedom.", style="dim"
+    )
+
+
+def _p(value: float | None) -> str:
+    return "-" if value is None else "< .001" if value < 0.001 else f"{value:.3f}"
 
 
 def _is_file(skip: Skip) -> bool:

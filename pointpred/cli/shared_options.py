@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
+from pointpred.console import remarks
 from pointpred.errors import ParameterError
 
 PARAMETER = "coefficients"
@@ -14,11 +15,18 @@ PARAMETER = "coefficients"
 
 def complete_predictors(incomplete: str) -> list[str]:
     """What the shell offers for names of predictors, of which ``a,b`` may hold several."""
-    from pointpred.registry import REGISTRY, find_others
+    from pointpred.registry import REGISTRY, others
 
-    find_others()
     begun, comma, last = incomplete.rpartition(",")
-    return [f"{begun}{comma}{name}" for name in REGISTRY if name.startswith(last)]
+    return [f"{begun}{comma}{name}" for name in (*REGISTRY, *others()) if name.startswith(last)]
+
+
+def tell_others() -> None:
+    """Make the predictors of other packages known, and say which cannot be used."""
+    from pointpred.registry import find_others
+
+    for words in find_others():
+        remarks().print(f"left out: {words}", style="red", markup=False)
 
 
 PredictorName = Annotated[
@@ -66,9 +74,9 @@ def with_coefficients(names: list[str], file: Path | None) -> dict[str, dict[str
     """
     if file is None:
         return {}
-    from pointpred.registry import REGISTRY, build, takes
+    from pointpred.registry import REGISTRY, build, settings_in, takes
 
-    taking = [name for name in names if takes(name, PARAMETER)]
+    taking = [known for known, _ in map(settings_in, names) if takes(known, PARAMETER)]
     if not taking:
         takers = ", ".join(name for name in REGISTRY if takes(name, PARAMETER))
         raise ParameterError(f"--coefficients needs one of {takers}, received {', '.join(names)}")

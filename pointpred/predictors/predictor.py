@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import ClassVar
+from collections.abc import Callable, Mapping
+from typing import Any, ClassVar
 
 from pointpred.errors import EventError
 from pointpred.predictors.mixture import Mixture
@@ -39,6 +39,13 @@ class Predictor(CompiledStage):
 
     Of a table of which only the last row is answered, the other rows are only followed.
     """
+    without_memory: ClassVar[Mapping[str, Any]] = {}
+    """What to set so that it remembers neither where movements ended nor how far they went; {}: nothing.
+
+    Scoring shows such a predictor a second time, without this memory.
+    """
+    joined: ClassVar[bool] = True
+    """Whether it remembers nothing but its memory, so that what was before can be put back."""
     claims_time: ClassVar[bool] = True
     """False where no prediction says the time left: scoring then needs no clock to compare with."""
 

@@ -11,10 +11,12 @@ from pathlib import Path
 
 import msgspec
 
+from pointpred.columns import Frame, is_frame
 from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.recordings.addresses import address_in, local_copy
 from pointpred.recordings.encodings import encoding_of, head_of, stem_of, text_in
+from pointpred.recordings.frames import file_of_frame, our_columns
 from pointpred.recordings.known_formats import FORMATS, Format, advice_on, format_of
 from pointpred.recordings.own import SAMPLES, is_samples, samples_beside, trials_beside
 from pointpred.recordings.reading import AS_IS, People, Reading, TimeUnit
@@ -27,7 +29,7 @@ OWN = ("recorder", "own")
 
 
 def read_any(
-    path: str | Path | Sequence[str | Path],
+    path: str | Path | Sequence[str | Path] | Frame,
     reading: Reading = AS_IS,
     progress: Progress | None = None,
     *,
@@ -39,7 +41,8 @@ def read_any(
 ) -> list[Recording]:
     """Read a recording of any known format, or every recording in a folder and the folders below it.
 
-    ``path`` may be an address of fsspec, such as ``s3://bucket/study.csv``: it is copied here first.
+    ``path`` may be an address of fsspec, such as ``s3://bucket/study.csv``: it is copied here first. It may
+    be a ``pandas.DataFrame``, which is read as a table in a file is.
 
     A file's format is detected from its content. In a folder each own recording stays one; files of one
     foreign format (sessions, users) become one recording named after the folder they share. A file of no
@@ -53,6 +56,13 @@ def read_any(
     Returns at least one recording; raises RecordingError naming the formats that were tried, ColumnsError
     for a table whose columns are not certain, and ParameterError for a keyword out of its bounds.
     """
+    if is_frame(path):
+        with file_of_frame(path) as file:
+            columns = columns or reading.columns or our_columns(path)
+            return read_any(
+                file, reading, progress, people=people, columns=columns,
+                time_unit=time_unit, y_up=y_up, px_per_unit=px_per_unit,
+            )  # fmt: skip
     paths = [_here(one) for one in ([path] if isinstance(path, str | Path) else path)]
     if people is None and not isinstance(path, str | Path):
         people = "file"

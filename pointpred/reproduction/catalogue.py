@@ -30,7 +30,7 @@ LISTED = (
         "2.2",
         THESIS,
         "position of the mouse, its differences and its derivatives by the homogeneous differentiator",
-        f"{PEOPLE}; without --recordings this is a simulated person, whose true velocity is known. The "
+        f"{PEOPLE}; without a recording this is a simulated person, whose true velocity is known. The "
         "gains are the printed ones; the sign of the last discrete line is corrected, because the law "
         "diverges as printed.",
         trials.figure_2_2,
@@ -40,7 +40,7 @@ LISTED = (
         "2.3",
         THESIS,
         "a trial without and one with sub-movements",
-        f"{PEOPLE}; without --recordings these are simulated people. The thesis does not say what a peak "
+        f"{PEOPLE}; without a recording these are simulated people. The thesis does not say what a peak "
         "is; here the speed must fall by half between two.",
         trials.figure_2_3,
         reads=READS,
@@ -75,7 +75,7 @@ LISTED = (
         "2.8",
         THESIS,
         "the corrective model alone on a whole movement",
-        f"{PEOPLE}; without --recordings this is a simulated person. x counts from the start of the "
+        f"{PEOPLE}; without a recording this is a simulated person. x counts from the start of the "
         "movement, because the printed bound 0.1 abs(x) would depend on where the screen begins.",
         trials.figure_2_8,
         reads=READS,
@@ -108,7 +108,7 @@ LISTED = (
         "2.12",
         THESIS,
         "mean absolute error against the path, switched and KEP, 960 trials",
-        f"{PEOPLE}; without --recordings ten simulated people stand for them. On these the switched model "
+        f"{PEOPLE}; without a recording ten simulated people stand for them. On these the switched model "
         "loses to KEP at 70 and 80 % of the path, because their speed peaks before half of the way. KEP "
         "ignores zeros more than ten times the way ahead, which the thesis does not have and which helps "
         "KEP.",

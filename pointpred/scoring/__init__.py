@@ -12,7 +12,7 @@ from pointpred.scoring.summary import (
     document,
     summarise,
 )
-from pointpred.scoring.summary.document import HEADINGS, about_targets, footnotes, rows
+from pointpred.scoring.summary.document import HEADINGS, about_memory, about_targets, footnotes, rows
 from pointpred.scoring.trials import Prepared, prepare, resolution
 
 __all__ = [
@@ -27,6 +27,7 @@ __all__ = [
     "SetScore",
     "SetSummary",
     "Unread",
+    "about_memory",
     "about_targets",
     "document",
     "footnotes",

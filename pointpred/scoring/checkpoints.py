@@ -27,7 +27,8 @@ from pointpred.scoring.scorer import PartOutcome, ScoredPart, outcome
 
 KEY = b"pointpred"
 TRIAL = ("user", "trial", "target_x", "target_y", "target_w")
-SCORED = ("distance_px", "onset_s", "arrival_s", "submovements", "events", "clean")
+SCORED = tuple(name for name in ScoredTrial.__struct_fields__ if name != "trial")
+FLAGS = ("submovements", "clean", "end_repeats", "distance_repeats")
 
 
 class PartHeader(msgspec.Struct, frozen=True):
@@ -99,7 +100,7 @@ def decode(data: bytes) -> ScoredPart:
 
 def _type(name: str) -> Any:
     kinds = {"user": pa.string(), "trial": pa.string(), "events": pa.int64()}
-    return pa.bool_() if name in ("submovements", "clean") else kinds.get(name, pa.float64())
+    return pa.bool_() if name in FLAGS else kinds.get(name, pa.float64())
 
 
 def _array(column: Any, shape: tuple[int, ...]) -> FloatArray:

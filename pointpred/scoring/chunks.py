@@ -18,7 +18,7 @@ from pointpred.errors import ParameterError
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
 from pointpred.recordings.stored import StoredPart, StoredRecording
-from pointpred.records import FloatArray
+from pointpred.records import BoolArray, FloatArray
 from pointpred.scoring.checkpoints import FolderStore, MemoryStore, PartStore, encode, temporary_store
 from pointpred.scoring.executors import Executor
 from pointpred.scoring.measures.time_left import clock_s
@@ -33,6 +33,7 @@ from pointpred.scoring.scorer import (
     with_trials,
     worst_of,
 )
+from pointpred.scoring.selection import check_names, counted, names_of
 from pointpred.scoring.summary import SetSummary, summarise_parts
 from pointpred.scoring.trials import durations_s
 
@@ -148,6 +149,8 @@ class ScoredSet(msgspec.Struct, frozen=True):
     store: PartStore
     scoring: Scoring
     pipelines: Mapping[str, Pipeline]
+    masks: Sequence[BoolArray] | None = None
+    """Which trials of each chunk count; ``None``: all."""
 
     @property
     def name(self) -> str:
@@ -157,7 +160,8 @@ class ScoredSet(msgspec.Struct, frozen=True):
     def parts(self) -> Iterator[SetScore]:
         """The set chunk by chunk, from the first one on."""
         for number in range(len(self.chunks)):
-            yield with_trials(self.about, [self.store.part(number)])
+            mask = None if self.masks is None else self.masks[number]
+            yield counted(with_trials(self.about, [self.store.part(number)]), mask)
 
     def summary(self) -> SetSummary:
         """Its numbers, with one chunk in memory at a time."""
@@ -166,11 +170,13 @@ class ScoredSet(msgspec.Struct, frozen=True):
     def joined(self, worst: int = 0) -> SetScore:
         """The set in memory, about 1 kB for each trial and predictor, with its ``worst`` trials."""
         whole = with_trials(self.about, map(self.store.part, range(len(self.chunks))))
-        return msgspec.structs.replace(whole, worst=self._worst(whole, worst)) if worst else whole
+        mask = None if self.masks is None else np.concatenate(self.masks)
+        drawn = self._worst(whole, worst, mask) if worst else None
+        return msgspec.structs.replace(counted(whole, mask), worst=drawn)
 
-    def _worst(self, whole: SetScore, count: int) -> WorstTrials:
+    def _worst(self, whole: SetScore, count: int, mask: BoolArray | None) -> WorstTrials:
         """The worst trials; the chunks that hold them are read again."""
-        errors, numbers = worst_of(whole, count)
+        errors, numbers = worst_of(whole, count, mask)
         ends = np.cumsum([len(self.store.part(number).trials) for number in range(len(self.chunks))])
         worst = []
         for k in numbers:
@@ -199,8 +205,10 @@ def score_in_chunks(
     as it is there; a later call with the same recording, settings and version goes on from what it finds,
     and the set holds nothing that was timed (``us_per_event`` is NaN). ``progress``: called with what is
     being done, the events done and all events. Raises RecordingError where a stored recording cannot be
-    read, ParameterError where ``checkpoints`` cannot be written or be read back.
+    read or none of its trials counts, ParameterError where ``checkpoints`` cannot be written or be read back.
     """
+    if isinstance(source, Recording):
+        source = scoring.checked(source)
     whole = about(source)
     pipelines = scoring.pipelines(whole)
     chunks = plan(source, pipelines)
@@ -216,11 +224,16 @@ def score_in_chunks(
     missing = [number for number in range(len(chunks)) if store.outcome(number) is None]
     run.each("", work, missing, store.put)
     outcomes = _read_all(store.outcome, chunks)
-    scores = set_without_trials(whole, pipelines, outcomes, scoring.seed)
+    scores = set_without_trials(whole, pipelines, outcomes, scoring)
     if checkpoints is not None:
         untimed = (msgspec.structs.replace(one, us_per_event=float("nan")) for one in scores.predictors)
         scores = msgspec.structs.replace(scores, predictors=tuple(untimed))
-    return ScoredSet(scores, chunks, store, scoring, pipelines)
+    if scoring.by and not isinstance(source, Recording):
+        numbers = range(len(chunks))
+        check_names(scoring.by, names_of(one for k in numbers for one in store.part(k).trials), "by")
+    masks = scoring.masks(source.name, lambda: (store.part(k).trials for k in range(len(chunks))))
+    scores = msgspec.structs.replace(scores, notes=(*scores.notes, *scoring.about_masks(masks)))
+    return ScoredSet(scores, chunks, store, scoring, pipelines, masks)
 
 
 def _read_all(read: Callable[[int], Answer | None], chunks: Sequence[Chunk]) -> list[Answer]:

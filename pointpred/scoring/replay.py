@@ -18,12 +18,10 @@ from pointpred.records import FloatArray, PredictionColumns
 from pointpred.scoring.measures import endpoint
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.measures.trial_measures import TrialMeasures, measure_trials
-from pointpred.scoring.results import PredictorErrors
+from pointpred.scoring.predictions import PredictedElsewhere
+from pointpred.scoring.results import WITH_TARGETS, PredictorErrors
 from pointpred.scoring.spans import each_in_threads, spans, users
 from pointpred.scoring.trials import Prepared
-
-WITH_TARGETS = " + targets"
-"""What is added to the name of a predictor that is given the recording's targets."""
 
 
 class GivenTargets(Pipeline):
@@ -143,6 +141,8 @@ def measure(
 def answers_to(prepared: Prepared, pipeline: Pipeline, trial: int) -> PredictionColumns:
     """What ``replay`` scored of one trial: one that learns has seen the trials of that user before it."""
     pipeline = pipeline.fresh()
+    if isinstance(pipeline, PredictedElsewhere):
+        return pipeline.answers(prepared, trial, trial + 1)
     if pipeline.learns:
         user = prepared.trials[trial].trial.user
         for k in range(trial):
@@ -196,7 +196,9 @@ def _replay_span(
     before = time.thread_time()
     try:
         _register(prepared, pipeline, first)
-        if motions is None:
+        if isinstance(pipeline, PredictedElsewhere):
+            answers = pipeline.answers(prepared, first, stop)
+        elif motions is None:
             answers = run(pipeline, events)
         else:
             table, shared_s = motions.of(pipeline.differentiator, *rows)

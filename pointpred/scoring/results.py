@@ -14,6 +14,8 @@ TIME_FRACTIONS = (0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 """Shares of the time from onset to arrival at which the 2-D error is read."""
 AXIS_FRACTIONS = tuple(round(0.05 * i, 2) for i in range(1, 21))
 """Shares of the way along the longer axis in the thesis's single-axis protocol."""
+WITH_TARGETS = " + targets"
+"""What is added to the name of a predictor that is given the recording's targets."""
 
 
 class ScoredTrial(msgspec.Struct, frozen=True):
@@ -30,6 +32,10 @@ class ScoredTrial(msgspec.Struct, frozen=True):
     """Events scored: from the onset on."""
     clean: bool = False
     """As the recording judges; where it does not, by the rule of ``clean_trials``."""
+    end_repeats: bool = False
+    """Whether the person ended a movement before near this end; see ``repeats``."""
+    distance_repeats: bool = False
+    """Whether a movement before was as long."""
 
 
 class PredictorErrors(msgspec.Struct, frozen=True):
@@ -62,6 +68,10 @@ class PredictorErrors(msgspec.Struct, frozen=True):
     """(trials, TIME_FRACTIONS): whether the prediction lay in the target; ``None`` where none is known"""
     seen: bool = False
     """Whether the predictor was fitted to people of a set of this name: its errors are too low."""
+    learns: bool = False
+    """Whether it learns from one movement of a person to the next."""
+    ablates: str = ""
+    """The predictor that this one is without the memory of ends and distances; "" for any other."""
 
 
 class WorstTrial(msgspec.Struct, frozen=True):
@@ -107,3 +117,11 @@ class SetScore(msgspec.Struct, frozen=True):
     """What the candidates were, in words, and of how many trials; ``None`` where none were asked for"""
     worst: WorstTrials | None = None
     """Of the best predictor; ``None`` where ``score`` was not asked for them."""
+    by: tuple[str, ...] = ()
+    """Columns whose levels are groups of trials."""
+    contrast: tuple[str, ...] = ()
+    """The two predictors that statistics compares; ``("all",)``: every pair; none: nobody asked."""
+
+    def __repr__(self) -> str:
+        names = ", ".join(one.name for one in self.predictors)
+        return f"<SetScore {self.name}: {len(self.trials)} trials, {len(self.skipped)} skipped; {names}>"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, KeysView, Mapping, Sequence
 from functools import reduce
 from operator import or_
 from typing import Any
@@ -11,13 +11,16 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.errors import ParameterError
+from pointpred.errors import ParameterError, RecordingError
+from pointpred.extras import require
 from pointpred.pipeline import Pipeline
 from pointpred.predictors import KinematicPredictor
 from pointpred.recording import Recording, Skip
-from pointpred.registry import build
+from pointpred.records import BoolArray
+from pointpred.registry import ablation, build, settings_in
 from pointpred.scoring.measures.time_left import clock_s
 from pointpred.scoring.measures.trial_measures import Claimed, TrialMeasures
+from pointpred.scoring.predictions import PredictedElsewhere
 from pointpred.scoring.replay import (
     GivenTargets,
     Measured,
@@ -26,7 +29,16 @@ from pointpred.scoring.replay import (
     given_targets,
     measure,
 )
-from pointpred.scoring.results import PredictorErrors, ScoredTrial, SetScore, WorstTrial, WorstTrials
+from pointpred.scoring.results import (
+    WITH_TARGETS,
+    PredictorErrors,
+    ScoredTrial,
+    SetScore,
+    WorstTrial,
+    WorstTrials,
+)
+from pointpred.scoring.selection import Where, check_selection, counted, names_of, where_of
+from pointpred.scoring.statistics import EVERY_PAIR
 from pointpred.scoring.summary import FLOOR
 from pointpred.scoring.target_layouts import with_candidates
 from pointpred.scoring.trials import Prepared, prepare, resolution
@@ -97,13 +109,13 @@ def outcome(part: ScoredPart) -> PartOutcome:
 
 
 def set_without_trials(
-    about: Recording, pipelines: Mapping[str, Pipeline], outcomes: Sequence[PartOutcome], seed: int
+    about: Recording, pipelines: Mapping[str, Pipeline], outcomes: Sequence[PartOutcome], scoring: Scoring
 ) -> SetScore:
     """Everything of a set but what has a row a trial: ``about`` needs no trials, outcomes have an order.
 
     Where no trial has candidates, predictors that are given targets are left out.
     """
-    counted = about.provenance.unit == "counts"
+    in_counts = about.provenance.unit == "counts"
     kinds: Counter[str] = Counter()
     for one in outcomes:
         kinds.update(one.candidates or {})
@@ -113,13 +125,21 @@ def set_without_trials(
             continue
         events = sum(one.events[place] for one in outcomes)
         seconds = sum(one.seconds[place] for one in outcomes)
+        timed = events > 0 and not isinstance(pipeline, PredictedElsewhere)
         errors = TrialMeasures.empty(0).predictor_errors(
             pipeline.name,
-            1e6 * seconds / events if events else float("nan"),
+            1e6 * seconds / events if timed else float("nan"),
             tuple(skip for one in outcomes for skip in one.failed[place]),
             reduce(or_, (one.claimed[place] for one in outcomes), NO_CLAIM),
         )
-        predictors.append(msgspec.structs.replace(errors, seen=_fitted_to(about.name, pipeline)))
+        predictors.append(
+            msgspec.structs.replace(
+                errors,
+                seen=_fitted_to(about.name, pipeline),
+                learns=pipeline.learns,
+                ablates=scoring.ablated.get(pipeline.name, ""),
+            )
+        )
     return SetScore(
         about.name,
         (),
@@ -130,10 +150,12 @@ def set_without_trials(
         ),
         tuple(predictors),
         simulated=about.provenance.simulated,
-        seed=seed,
-        notes=(*about.notes, IN_COUNTS) if counted else about.notes,
-        unit="counts" if counted else "px",
+        seed=scoring.seed,
+        notes=(*about.notes, IN_COUNTS) if in_counts else about.notes,
+        unit="counts" if in_counts else "px",
         candidates=dict(kinds) if any(isinstance(one, GivenTargets) for one in pipelines.values()) else None,
+        by=scoring.by,
+        contrast=scoring.contrast,
     )
 
 
@@ -152,7 +174,8 @@ def with_trials(about: SetScore, parts: Iterable[ScoredPart]) -> SetScore:
             targets=errors.hits is not None,
         )
         rows = joined.predictor_errors(errors.name, errors.us_per_event, errors.failed, claimed)
-        predictors.append(msgspec.structs.replace(rows, seen=errors.seen))
+        about_rows = {name: getattr(errors, name) for name in ("seen", "learns", "ablates")}
+        predictors.append(msgspec.structs.replace(rows, **about_rows))
     trials = tuple(trial for part in listed for trial in part.trials)
     return msgspec.structs.replace(about, trials=trials, predictors=tuple(predictors))
 
@@ -164,14 +187,15 @@ def _fitted_to(name: str, pipeline: Pipeline) -> bool:
 
 
 def worst_trials(
-    score: SetScore, prepared: Prepared, pipelines: Mapping[str, Pipeline], count: int
+    score: SetScore, prepared: Prepared, pipelines: Mapping[str, Pipeline], count: int, mask: BoolArray | None
 ) -> WorstTrials:
     """The ``count`` trials with the largest time-averaged error of the set's best predictor.
 
-    The best is the one with the lowest mean error apart from ``hold``, which stands in where there is no
-    other, or nothing to be better than. Trials in which the pipeline failed are left out.
+    ``mask``: which trials of ``score`` count; ``None``: all. The best is the one with the lowest mean error
+    apart from ``hold``, which stands in where there is no other, or nothing to be better than. Trials in
+    which the pipeline failed are left out.
     """
-    errors, chosen = worst_of(score, count)
+    errors, chosen = worst_of(score, count, mask)
     return WorstTrials(
         errors.name,
         tuple(
@@ -186,13 +210,17 @@ def worst_trials(
     )
 
 
-def worst_of(score: SetScore, count: int) -> tuple[PredictorErrors, list[int]]:
-    """The set's best predictor, and the numbers of the trials on which it errs most, the worst first."""
-    errors = _best(score)
+def worst_of(score: SetScore, count: int, mask: BoolArray | None) -> tuple[PredictorErrors, list[int]]:
+    """The set's best predictor, and the numbers of the trials on which it errs most, the worst first.
+
+    ``mask``: which trials count.
+    """
+    best = _best(counted(score, mask)).name
+    errors = next(one for one in score.predictors if one.name == best)
     failed = {(skip.user, skip.trial) for skip in errors.failed}
     order = np.argsort(-errors.time_averaged, kind="stable").tolist()
     names = [(one.trial.user, one.trial.trial) for one in score.trials]
-    return errors, [k for k in order if names[k] not in failed][:count]
+    return errors, [k for k in order if (mask is None or mask[k]) and names[k] not in failed][:count]
 
 
 def _best(score: SetScore) -> PredictorErrors:
@@ -211,7 +239,7 @@ class Scoring(msgspec.Struct, frozen=True):
     """What every recording of a run is scored with."""
 
     patterns: dict[str, str | Pipeline]
-    """Names of the registry and pipelines, by name; ``hold`` first."""
+    """Names of the registry with what is set, and pipelines, by name; ``hold`` first."""
     parameters: Mapping[str, Mapping[str, Any]] = {}
     """Keyword arguments of ``build`` by name."""
     cpi: float | None = None
@@ -219,6 +247,11 @@ class Scoring(msgspec.Struct, frozen=True):
     seed: int = 0
     targets: bool = False
     """Each predictor a second time, given the targets of the trials."""
+    where: Where | None = None
+    """Which trials count; a predictor that learns sees the others, too."""
+    by: tuple[str, ...] = ()
+    contrast: tuple[str, ...] = ()
+    """As in ``SetScore``."""
 
     def prepare(self, recording: Recording, threads: int | None) -> Prepared:
         """The trials of a recording or a part of it, with their candidates where these are asked for."""
@@ -229,19 +262,67 @@ class Scoring(msgspec.Struct, frozen=True):
         """Fresh pipelines for a recording."""
         return self._built(resolution(recording, self.cpi, self.dpi))
 
-    def check(self) -> None:
-        """Raise ParameterError for what is wrong whatever the recording."""
-        self._built({"cpi": self.cpi, "dpi": 96.0 if self.dpi is None else self.dpi})
+    @property
+    def ablated(self) -> dict[str, str]:
+        """By predictors that are others without their memory of ends and distances: those others."""
+        without: dict[str, str] = {}
+        for name in (name for name, p in self.patterns.items() if isinstance(p, str)):
+            if (other := ablation(name)) in self.patterns:
+                without |= {f"{other}{more}": f"{name}{more}" for more in ("", WITH_TARGETS)}
+        return without
+
+    def check(self) -> KeysView[str]:
+        """The names of all that is scored; raises ParameterError for what is wrong whatever the recording."""
+        return self._built({"cpi": self.cpi, "dpi": 96.0 if self.dpi is None else self.dpi}).keys()
 
     def _built(self, settings: Mapping[str, Any]) -> dict[str, Pipeline]:
         pipelines = {}
         for name, p in self.patterns.items():
-            pipeline = build(p, **settings, **self.parameters.get(p, {})) if isinstance(p, str) else p
+            pipeline = p if isinstance(p, Pipeline) else self._build(name, p, settings)
             pipelines[name] = pipeline
-            if self.targets:
+            if self.targets and not isinstance(pipeline, PredictedElsewhere):
                 given = given_targets(pipeline)
                 pipelines[given.name] = given
         return pipelines
+
+    def checked(self, recording: Recording) -> Recording:
+        """A recording with notes, before it is scored; raises for what does not fit it."""
+        check_selection(recording.trials, self.where, self.by)
+        tables = (one for one in self.patterns.values() if isinstance(one, PredictedElsewhere))
+        notes = [note for one in tables for note in one.check(recording)]
+        return msgspec.structs.replace(recording, notes=(*recording.notes, *notes))
+
+    def masks(
+        self, name: str, parts: Callable[[], Iterable[Sequence[ScoredTrial]]]
+    ) -> list[BoolArray] | None:
+        """Which trials of each part of a set count; ``None``: all. Raises RecordingError where none does."""
+        if self.where is None:
+            return None
+        names = names_of(one for trials in parts() for one in trials)
+        masks = [self.where.mask(trials, names) for trials in parts()]
+        if not any(mask.any() for mask in masks):
+            raise RecordingError(f"{name}: no trial that can be scored fits where {self.where.text}")
+        return masks
+
+    def about_masks(self, masks: Sequence[BoolArray] | None) -> tuple[str, ...]:
+        """What a set says of the trials that count."""
+        if self.where is None or masks is None:
+            return ()
+        kept, every = sum(int(mask.sum()) for mask in masks), sum(map(len, masks))
+        return (f"{kept} of {every} trials count: where {self.where.text}",)
+
+    def _build(self, name: str, spelled: str, settings: Mapping[str, Any]) -> Pipeline:
+        """A pipeline by its name in the registry and what is set behind it."""
+        known, said = settings_in(spelled)
+        pipeline = build(known, **settings, **{**self.parameters.get(known, {}), **said})
+        pipeline.name = name
+        return pipeline
+
+
+def with_ablations(predictors: Sequence[str]) -> list[str]:
+    """The names, each that remembers ends and distances followed by the same without this memory."""
+    names = [one for name in predictors for one in (name, ablation(name)) if one is not None]
+    return list(dict.fromkeys(names))
 
 
 def scoring_with(
@@ -252,6 +333,9 @@ def scoring_with(
     dpi: float | None = None,
     seed: int = 0,
     targets: bool = False,
+    where: str = "",
+    by: Sequence[str] = (),
+    contrast: Sequence[str] = (),
 ) -> Scoring:
     """The settings of a run, checked; raises ParameterError as ``score`` does."""
     names = [p.name if isinstance(p, Pipeline) else p for p in predictors]
@@ -260,8 +344,14 @@ def scoring_with(
             message = f"each predictor at most once, received {name!r} {names.count(name)} times"
             raise ParameterError(message, field="predictors", value=name)
     patterns = {FLOOR: FLOOR} | dict(zip(names, predictors, strict=True))
-    scoring = Scoring(patterns, parameters or {}, cpi, dpi, seed, targets)
-    scoring.check()
+    rule, pair = where_of(where) if where else None, tuple(contrast)
+    scoring = Scoring(patterns, parameters or {}, cpi, dpi, seed, targets, rule, tuple(by), pair)
+    scored = scoring.check()
+    if pair and pair != EVERY_PAIR and (len(set(pair)) != 2 or not scored >= set(pair)):
+        message = f"contrast needs two of the predictors scored, {', '.join(scored)}, or all"
+        raise ParameterError(f"{message}, received {', '.join(pair)}", field="contrast", value=pair)
+    if pair:
+        require("report", "a contrast")
     return scoring
 
 
@@ -278,15 +368,23 @@ def score(
     parameters: Mapping[str, Mapping[str, Any]] | None = None,
     worst: int = 0,
     targets: bool = False,
+    where: str = "",
+    by: Sequence[str] = (),
+    contrast: Sequence[str] = (),
 ) -> list[SetScore]:
     """Score predictors on recordings, each by itself: distances differ, and errors are never pooled.
 
-    ``predictors``: names of the registry, or pipelines used as patterns; ``hold`` is always scored, and
-    first. ``parameters``: keyword arguments of ``build`` by name. ``cpi`` and ``dpi`` (counts and px per
-    inch) replace those of a recording. ``threads``: one for each processor by default. ``seed``: of the
-    resampling behind the intervals. ``worst``: how many of the trials with the largest errors of the best
-    predictor are kept to be drawn. ``targets``: each predictor is scored a second time as ``NAME + targets``,
-    given all targets of a trial's block, and learning the person; ``SetScore.candidates`` says which.
+    ``predictors``: names of the registry, also with what is set, as ``"kinematic-adaptive:places=0"``, or
+    pipelines used as patterns; ``hold`` is always scored, and first. ``parameters``: keyword arguments of
+    ``build`` by name. ``cpi`` and ``dpi`` (counts and px per inch) replace those of a recording.
+    ``threads``: one for each processor by default. ``seed``: of the resampling behind the intervals.
+    ``worst``: how many of the trials with the largest errors of the best predictor are kept to be drawn.
+    ``targets``: each predictor is scored a second time as ``NAME + targets``, given all targets of a trial's
+    block, and learning the person; ``SetScore.candidates`` says which.
+
+    ``where``: only trials that fit this rule count, as ``"phase != practice"``; predictors that learn see the
+    others, too. ``by``: columns whose levels the summary has as groups. ``contrast``: two predictors that it
+    compares over people, or ``["all"]`` for every pair.
 
     Recordings may come one by one from a generator. Where one cannot be scored, ``failed`` is called with it
     and the error, and the others are scored; without ``failed`` the error is raised. Raises ParameterError
@@ -299,7 +397,10 @@ def score(
     >>> one.predictors[0].time_averaged.tolist()  # 0.05 s at 100 px, 0.05 s at 41 px
     [70.5]
     """
-    scoring = scoring_with(predictors, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed, targets=targets)
+    scoring = scoring_with(
+        predictors, parameters=parameters, cpi=cpi, dpi=dpi, seed=seed, targets=targets,
+        where=where, by=by, contrast=contrast,
+    )  # fmt: skip
     scores = []
     for recording in recordings:
         try:
@@ -316,6 +417,7 @@ def _score(
 ) -> SetScore:
     """Score one recording, as the only part of its set."""
     pipelines = scoring.pipelines(recording)
+    recording = scoring.checked(recording)
     prepared = scoring.prepare(recording, threads)
     total, events_done = len(prepared.events) * len(pipelines), 0
 
@@ -328,7 +430,9 @@ def _score(
     clock = clock_s([trial.arrival_s for trial in prepared.trials])
     whole = score_part(recording, prepared, pipelines, clock, threads=threads, progress=advance)
     about = msgspec.structs.replace(recording, skipped=())
-    scored = with_trials(set_without_trials(about, pipelines, [outcome(whole)], scoring.seed), [whole])
-    if not worst:
-        return scored
-    return msgspec.structs.replace(scored, worst=worst_trials(scored, prepared, pipelines, worst))
+    scored = with_trials(set_without_trials(about, pipelines, [outcome(whole)], scoring), [whole])
+    masks = scoring.masks(scored.name, lambda: [scored.trials])
+    mask = None if masks is None else masks[0]
+    drawn = worst_trials(scored, prepared, pipelines, worst, mask) if worst else None
+    notes = (*scored.notes, *scoring.about_masks(masks))
+    return msgspec.structs.replace(counted(scored, mask), worst=drawn, notes=notes)

@@ -1,4 +1,7 @@
-"""The thesis's single-axis protocol (section 2.6.3): error against path, box plots, analysis of variance."""
+"""Predictors compared over people: pairs of them, and the thesis's single-axis protocol.
+
+The protocol (section 2.6.3): error against path, box plots, analysis of variance.
+"""
 
 from __future__ import annotations
 
@@ -24,6 +27,8 @@ MOST_FACTORS = 4
 MOST_LEVELS = 12
 KEPT_USERS = 0.9
 """A factor is left out when more than a tenth of the people miss one of its combinations."""
+EVERY_PAIR = ("all",)
+"""In the place of two predictors to be compared: each of them with each other."""
 FLAT = 1e-12
 """Share of the total variance below which a term's variance over people is rounding."""
 WHISKER = 1.5
@@ -237,6 +242,62 @@ def _effect(
     epsilon = float(np.trace(covariance) ** 2 / (df1 * np.sum(covariance**2)))
     corrected = float(f_distribution.sf(f, epsilon * df1, epsilon * df2))
     return Effect(factors, f, df1, df2, p, f * df1 / (f * df1 + df2), epsilon, corrected)
+
+
+class Contrast(msgspec.Struct, frozen=True):
+    """Two predictors compared by a paired t test over people."""
+
+    first: str
+    second: str
+    people: int
+    px: float
+    """Mean over people of their error with the first minus that with the second, px."""
+    interval: tuple[float, float]
+    """95 % of Student's t, px."""
+    t: float | None
+    df: int
+    p: float | None
+    """``None``, as t, where nobody differs between the two."""
+    p_holm: float | None
+    """p corrected by Holm for the number of pairs compared."""
+
+
+def contrasts(errors: Mapping[str, FloatArray], pair: Sequence[str] | None = None) -> tuple[Contrast, ...]:
+    """Every pair of predictors compared, or only ``pair``; ``errors``: the mean error of each person, px.
+
+    People are taken as drawn independently, their differences as normal. t and p come from scipy's
+    ``ttest_rel``, p for all pairs from statsmodels' ``multipletests`` by Holm's method, which holds however
+    the pairs depend on each other. Needs two people at least.
+
+    >>> errors = {"a": np.array([1.0, 2.0, 4.0]), "b": np.array([2.0, 4.0, 7.0])}
+    >>> one, = contrasts(errors)
+    >>> one.px, round(one.t, 4), one.df, round(one.p, 4) == round(one.p_holm, 4)
+    (-2.0, -3.4641, 2, True)
+    """
+    from scipy.stats import ttest_rel
+    from statsmodels.stats.multitest import multipletests
+
+    found = []
+    for first, second in combinations(errors, 2) if pair is None else [pair]:
+        difference = errors[first] - errors[second]
+        if float(np.ptp(difference)) == 0.0:  # no spread to compare with
+            mean = float(difference.mean())
+            found.append(Contrast(first, second, len(difference), mean, (mean, mean), None, 0, None, None))
+            continue
+        test = ttest_rel(errors[first], errors[second])
+        low, high = test.confidence_interval(0.95)
+        values = float(test.statistic), int(test.df), float(test.pvalue)
+        found.append(
+            Contrast(
+                first, second, len(difference), float(difference.mean()), (float(low), float(high)),
+                *values, None,
+            )
+        )  # fmt: skip
+    tested = [one.p for one in found if one.p is not None]
+    corrected = iter(multipletests(tested, method="holm")[1].tolist() if tested else ())
+    return tuple(
+        one if one.p is None else msgspec.structs.replace(one, p_holm=next(corrected)) for one in found
+    )
 
 
 class Box(msgspec.Struct, frozen=True):

@@ -14,8 +14,9 @@ from pointpred.compiled import law
 from pointpred.pipeline import Pipeline, run
 from pointpred.recording import Recording
 from pointpred.records import FloatArray, FloatTable, row_at
-from pointpred.registry import build
+from pointpred.registry import build, settings_in
 from pointpred.scoring.results import TIME_FRACTIONS
+from pointpred.scoring.selection import Where, names_of
 from pointpred.scoring.spans import in_threads
 from pointpred.scoring.summary.document import Document, Number, number
 from pointpred.scoring.target_layouts import Layout, layouts
@@ -170,14 +171,15 @@ def score_targets(
     least_lead_s: float = 0.0,
     least_way_px: float = 3.0,
     parameters: Mapping[str, Mapping[str, Any]] | None = None,
+    where: Where | None = None,
 ) -> list[TargetSet]:
     """Score the choices of predictors among the targets of a recording, and the nearest to the cursor.
 
     One result for each kind of layout that the recording's trials have.
 
-    ``predictors`` and ``parameters``: as for ``score``; the laws are those of ``Chooser``. The baseline's
-    shares depend on the distance from the cursor to each target alone, with coefficients of their own. Raises
-    what a pipeline raises.
+    ``predictors``, ``parameters`` and ``where``: as for ``score``; the laws are those of ``Chooser``. The
+    baseline's shares depend on the distance from the cursor to each target alone, with coefficients of their
+    own. Raises what a pipeline raises.
     """
     settings = resolution(recording, cpi, dpi)
     prepared = prepare(recording, **settings, threads=threads)
@@ -187,9 +189,14 @@ def score_targets(
         if isinstance(predictor, Pipeline):
             pipelines[predictor.name] = predictor
         else:
-            pipelines[predictor] = build(predictor, **settings, **(parameters or {}).get(predictor, {}))
+            known, said = settings_in(predictor)
+            pipelines[predictor] = build(known, **settings, **{**(parameters or {}).get(known, {}), **said})
+    mask = None if where is None else where.mask(prepared.trials, names_of(prepared.trials))
     sets = []
-    for kind, candidates in layouts(prepared, seed).items():
+    for kind, every in layouts(prepared, seed).items():
+        candidates = [one for one in every if mask is None or mask[one.trial]]
+        if not candidates:
+            continue
         scores = []
         for name, pipeline in pipelines.items():
             weights = nearest if name == NEAREST else coefficients

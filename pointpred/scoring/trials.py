@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import hypot, sqrt
 from typing import Any
 
@@ -215,6 +216,43 @@ def submovements(
     return np.concatenate([np.empty(0, dtype=np.bool_), *in_threads(work, offsets, threads)])
 
 
+NEAR_SHARE = 0.03
+"""An end or a distance repeats an earlier one within this share of the distance."""
+LAST_ENDS, LAST_DISTANCES = 128, 12
+"""So many of the person's movements before are looked at: what `kinematic-adaptive` remembers."""
+
+
+def repeats(
+    events: EventColumns, offsets: NDArray[np.int64], users: Sequence[str]
+) -> tuple[BoolArray, BoolArray]:
+    """Of each trial whether its end, and whether its distance, repeats one of the same person's before.
+
+    An end repeats where one of the last 128 movements ended within 3 % of the distance from it, a distance
+    where one of the last 12 was as long within 3 %. Rows ``offsets[i]`` up to ``offsets[i + 1]`` are trial i.
+
+    >>> path = EventColumns.of(t=[0.0, 1.0] * 3, x=[0, 100, 100, 1, 1, 101], y=[0.0] * 6)
+    >>> ends, distances = repeats(path, np.array([0, 2, 4, 6]), ["ann"] * 3)
+    >>> ends.tolist(), distances.tolist()
+    ([False, False, True], [False, True, True])
+    """
+    _, person = np.unique(np.asarray(users, dtype=str), return_inverse=True)
+    order = np.argsort(person, kind="stable")
+    person, first, last = person[order], offsets[:-1][order], offsets[1:][order] - 1
+    x, y = events.x[last], events.y[last]
+    distance = np.hypot(x - events.x[first], y - events.y[first])
+    near = NEAR_SHARE * distance
+    found = np.zeros((2, len(order)), dtype=np.bool_)
+    for back in range(1, min(LAST_ENDS, len(order) - 1) + 1):
+        later, before = slice(back, None), slice(None, -back)
+        same = person[later] == person[before]
+        found[0, later] |= same & (np.hypot(x[later] - x[before], y[later] - y[before]) <= near[later])
+        if back <= LAST_DISTANCES:
+            found[1, later] |= same & (np.abs(distance[later] - distance[before]) <= near[later])
+    ends, distances = np.empty((2, len(order)), dtype=np.bool_)
+    ends[order], distances[order] = found
+    return ends, distances
+
+
 REASONS = {
     EMPTY: "has no events",
     ONE_SAMPLE: "has one sample, a movement needs two",
@@ -286,7 +324,7 @@ def prepare(
     >>> trial.onset_s, trial.distance_px, round(trial.arrival_s, 9), trial.events
     (0.1, 99.0, 0.2, 3)
     """
-    cuts = _cuts(recording)
+    cuts = cuts_of(recording)
     good = np.flatnonzero(cuts[:, VERDICT] == GOOD)
     onset, stop = cuts[good, ONSET], cuts[good, STOP]
     offsets = np.concatenate([[0], np.cumsum(stop - onset)]).astype(np.int64)
@@ -301,6 +339,7 @@ def prepare(
     judged = [recording.trials[k].clean for k in good.tolist()]
     ruled = clean_trials(events, offsets).tolist()
     clean = [rule if own is None else own for own, rule in zip(judged, ruled, strict=True)]
+    ends, distances = repeats(events, offsets, [recording.trials[k].user for k in good.tolist()])
     measured = zip(
         good.tolist(),
         distance.tolist(),
@@ -309,6 +348,8 @@ def prepare(
         divided.tolist(),
         np.diff(offsets).tolist(),
         clean,
+        ends.tolist(),
+        distances.tolist(),
         strict=True,
     )
     trials = tuple(ScoredTrial(recording.trials[k], *values) for k, *values in measured)
@@ -318,14 +359,14 @@ def prepare(
 
 def durations_s(recording: Recording) -> FloatArray:
     """The times from onset to arrival of the trials that can be scored, s: what ``prepare`` finds of them."""
-    cuts, t = _cuts(recording), recording.events.t
+    cuts, t = cuts_of(recording), recording.events.t
     good = cuts[cuts[:, VERDICT] == GOOD]
     spans: FloatArray = t[good[:, ARRIVAL]] - t[good[:, ONSET]]
     return spans
 
 
-def _cuts(recording: Recording) -> Cuts:
-    """Where each trial begins, ends and arrives, a row a trial."""
+def cuts_of(recording: Recording) -> Cuts:
+    """Where each trial begins, ends and arrives, a row a trial, as ``cut`` writes it."""
     cuts = np.empty((len(recording.trials), CUTS), dtype=np.int64)
     cut(recording.events.table, recording.offsets, cuts)
     return cuts

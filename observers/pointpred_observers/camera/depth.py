@@ -8,11 +8,12 @@ from typing import Annotated, NamedTuple
 import msgspec
 import numpy as np
 
+from pointpred.columns import Columns
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
-from pointpred.records import Columns, FloatTable
+from pointpred.records import FloatTable
 from pointpred.stage import loop_of
 from pointpred_observers.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
 from pointpred_observers.camera.model import SCHEDULED, C

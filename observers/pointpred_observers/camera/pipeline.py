@@ -9,8 +9,8 @@ from typing import Self
 import msgspec
 import numpy as np
 
+from pointpred.columns import Columns
 from pointpred.errors import EventError
-from pointpred.records import Columns
 from pointpred_observers.camera.depth import Depth, DepthColumns, DepthObserver
 from pointpred_observers.camera.point_filter import PointEstimate, PointFilter
 from pointpred_observers.camera.samples import CameraColumns, CameraSample

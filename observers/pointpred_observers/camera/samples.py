@@ -7,9 +7,9 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
+from pointpred.columns import Columns
 from pointpred.errors import ParameterError
 from pointpred.parameter import Parameter, check, is_number
-from pointpred.records import Columns
 from pointpred_observers.camera.scenario import Scenario, Trajectory, trajectory
 
 FOCAL_PX = (1.0, 1e6)

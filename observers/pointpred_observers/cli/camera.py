@@ -52,7 +52,7 @@ def simulate(
 
       pointpred camera simulate rotating --focal-px 800 --out rotating.csv
 
-      pointpred camera run camera.csv --focal-px 800 --truth camera_truth.csv --plot camera.svg
+      pointpred camera run camera.csv camera_truth.csv --focal-px 800 --plot camera.svg
     """
     from pointpred_observers.camera import SCENARIOS, CameraColumns, Noise
     from pointpred_observers.camera import simulate as make
@@ -85,6 +85,12 @@ def run(
         Path, typer.Argument(callback=check_exists, dir_okay=False, help="CSV of camera samples.")
     ],
     focal_px: Focal,
+    truth: Annotated[
+        Path | None,
+        typer.Argument(
+            callback=check_exists, dir_okay=False, help="CSV with the true values, to be compared with."
+        ),
+    ] = None,
     start: Annotated[
         str,
         typer.Option(
@@ -102,10 +108,6 @@ def run(
         str, typer.Option(metavar="X,Y", help="Its position in the first image, px from the centre.")
     ] = "0,0",
     every: Annotated[int, typer.Option(help="Samples per image, with --images.")] = 1,
-    truth: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", callback=check_exists, dir_okay=False, help="CSV with the true values."),
-    ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
     json: Numbers = None,
     force: Force = False,

@@ -72,7 +72,7 @@ def read_truth(source: Path) -> FloatArray:
 
 
 def truth_table(truth: Trajectory) -> FloatArray:
-    """What ``run --truth`` compares with."""
+    """What ``run`` compares with."""
     return np.column_stack([truth.t, truth.p[:, 2], truth.v])
 
 
@@ -102,7 +102,7 @@ def read_images(folder: Path) -> list[Any]:
 def errors_of(estimates: CameraTable, truth: FloatArray) -> dict[str, dict[str, float | None]]:
     """RMSE of observer and peer against the truth, where each has an estimate."""
     if len(truth) != len(estimates) or np.abs(truth[:, 0] - estimates.t).max() > 1e-6:
-        raise ParameterError(f"--truth: needs the {len(estimates)} times of the samples, received others")
+        raise ParameterError(f"TRUTH: needs the {len(estimates)} times of the samples, received others")
     chi, eta = 1.0 / truth[:, 1], truth[:, 4] / truth[:, 1]
     wanted = {"chi": chi, "eta": eta, "vx": truth[:, 2], "vy": truth[:, 3], "vz": truth[:, 4]}
     table: dict[str, dict[str, float | None]] = {}

@@ -81,7 +81,7 @@ def designed(plant: Any, generator: Any, wish: Wish) -> tuple[str, Any]:
 def _refuse_unused(kind: str, generator: Any, wish: Wish) -> None:
     """Raise ParameterError for an option that this kind of observer does not read."""
     options = {
-        "--generator": (generator, ("driven", "interlaced")),
+        "GENERATOR": (generator, ("driven", "interlaced")),
         "--upper": (wish.upper, ("interlaced",)),
         "--first": (wish.first, ("interlaced",)),
     }
@@ -138,7 +138,7 @@ def _interlaced(plant: SymbolicSystem, generator: SymbolicGenerator, wish: Wish)
 def _generator(given: Any, wanted: type, kind: str, named: str) -> Any:
     if not isinstance(given, wanted):
         raise ParameterError(
-            f"--observer {kind} needs --generator, a file of the kind {named!r}, "
+            f"--observer {kind} needs GENERATOR, a file of the kind {named!r}, "
             f"received {'none' if given is None else 'a ' + type(given).__name__}",
             field="generator",
         )

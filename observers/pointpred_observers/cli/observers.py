@@ -72,6 +72,14 @@ def example(
 @app.command()
 def design(
     plant: PlantFile,
+    generator: Annotated[
+        Path | None,
+        typer.Argument(
+            callback=check_exists,
+            dir_okay=False,
+            help="JSON file of the generator that drives the plant (driven, interlaced).",
+        ),
+    ] = None,
     observer: Annotated[
         str | None,
         typer.Option(
@@ -86,15 +94,6 @@ def design(
     ] = 1.0,
     out: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Design to write (PLANT_design.json).")
-    ] = None,
-    generator: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            callback=check_exists,
-            dir_okay=False,
-            help="JSON file of the generator that drives the plant (driven, interlaced).",
-        ),
     ] = None,
     upper: Annotated[
         int | None, typer.Option(metavar="ROWS", help="Rows of the upper part (interlaced; 0).")

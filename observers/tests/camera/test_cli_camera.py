@@ -40,9 +40,7 @@ def test_what_is_written_is_read_back_bit_for_bit(simulated: Path) -> None:
 def test_run_tells_depth_velocity_errors_and_what_to_believe(simulated: Path, command: Callable) -> None:
     truth, plot, out = (simulated.with_name(name) for name in ("paper_truth.csv", "p.svg", "p.json"))
     start = ("--start", "0.25,-0.4")
-    left = command(
-        "camera", "run", simulated, *FOCAL, *start, "--truth", truth, "--plot", plot, "--json", out
-    )
+    left = command("camera", "run", simulated, *FOCAL, *start, truth, "--plot", plot, "--json", out)
     assert left.code == 0, left.err
     assert "observer, unchecked" in left.out
     assert left.out.count("filter") > 5
@@ -96,7 +94,7 @@ def test_images_are_followed(tmp_path: Path, command: Callable) -> None:
     write_table(readings, CameraColumns.names, table)
     write_table(tmp_path / "truth.csv", TRUTH, truth_table(truth))
     focal = ("--focal-px", "300", "--noise", "0.5", "--json", "-")
-    left = command("camera", "run", readings, *focal, "--images", folder, "--truth", tmp_path / "truth.csv")
+    left = command("camera", "run", readings, *focal, "--images", folder, tmp_path / "truth.csv")
     assert left.code == 0, left.err
     said = json.loads(left.out)
     assert said["images"] == 100
@@ -169,7 +167,7 @@ def test_a_truth_that_cannot_be_is_named(simulated: Path, command: Callable, lin
     truth = simulated.with_name("paper_truth.csv")
     lines = truth.read_text().splitlines()
     truth.write_text("\n".join([lines[0], line, *lines[2:]]) + "\n")
-    left = command("camera", "run", simulated, *FOCAL, "--truth", truth)
+    left = command("camera", "run", simulated, *FOCAL, truth)
     assert left.code == 1
     assert f"{truth}" in left.err
     assert said in left.err
@@ -181,7 +179,7 @@ def test_results_replace_no_input(simulated: Path, command: Callable, option: st
     truth = simulated.with_name("paper_truth.csv")
     for source in (simulated, truth):
         before = source.read_bytes()
-        left = command("camera", "run", simulated, *FOCAL, "--truth", truth, option, source)
+        left = command("camera", "run", simulated, *FOCAL, truth, option, source)
         assert left.code == 2
         assert f"{option} {source} would replace" in left.err
         assert source.read_bytes() == before

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import hypot
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -255,6 +256,7 @@ class AdaptiveKinematicPredictor(KinematicPredictor):
         default=1,
         whole=True,
     )
+    without_memory: ClassVar[Mapping[str, Any]] = {"places": 0, "distances": 0}
     step = staticmethod(step)
     follow = None  # what is stated at each motion is compared with the movement's end
     conclude = staticmethod(conclude)

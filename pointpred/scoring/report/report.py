@@ -34,9 +34,16 @@ from pointpred.scoring.report.figures import (
 )
 from pointpred.scoring.report.tables import tables_of
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, SetScore, WorstTrials
-from pointpred.scoring.statistics import AnovaSeries, AxisProfile, Effect, axis_anova, axis_profile
+from pointpred.scoring.statistics import (
+    EVERY_PAIR,
+    AnovaSeries,
+    AxisProfile,
+    Effect,
+    axis_anova,
+    axis_profile,
+)
 from pointpred.scoring.summary import FLOOR, PredictorSummary, SetSummary, summarise
-from pointpred.scoring.summary.document import about_targets, footnotes
+from pointpred.scoring.summary.document import about_memory, about_targets, footnotes
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -68,7 +75,9 @@ def highlighted(summary: SetSummary) -> tuple[str, ...]:
 
 
 def compared(score: SetScore) -> tuple[str, ...]:
-    """Models the analysis compares: the pair of the thesis where both were scored, otherwise all but hold."""
+    """Models the analysis compares: the two that were asked for, or the thesis's, otherwise all but hold."""
+    if score.contrast and score.contrast != EVERY_PAIR:
+        return score.contrast
     names = [predictor.name for predictor in score.predictors]
     both = pair(names)
     return both if len(both) == 2 else tuple(name for name in names if name != FLOOR) or (FLOOR,)
@@ -387,7 +396,23 @@ def _write_files(one: Shown, folder: Path) -> None:
         write_whole(folder / f"{name}.tex", tex.encode())
 
 
+def _with_short_names(score: SetScore) -> SetScore:
+    """The set with shorter names of predictors without memory, which figures have room for."""
+    short = {one.name: f"{one.ablates}, no memory" for one in score.predictors if one.ablates}
+    replace = msgspec.structs.replace
+    worst = score.worst and replace(
+        score.worst, predictor=short.get(score.worst.predictor, score.worst.predictor)
+    )
+    return replace(
+        score,
+        predictors=tuple(replace(one, name=short.get(one.name, one.name)) for one in score.predictors),
+        contrast=tuple(short.get(name, name) for name in score.contrast),
+        worst=worst,
+    )
+
+
 def _shown(score: SetScore) -> Shown:
+    score = _with_short_names(score)
     summary = ranked(summarise(score))
     return Shown(
         summary,
@@ -408,7 +433,7 @@ def _drawn(score: SetScore, summary: SetSummary) -> Drawn:
     kinds = (("by_time", "of_hold"), ("by_time", "px"), ("by_path", "of_hold"), ("by_path", "px"))
     return Drawn(
         conclusion=conclusion(summary),
-        footnotes=tuple(filter(None, (about_targets(summary), *footnotes(summary)))),
+        footnotes=tuple(filter(None, (about_targets(summary), about_memory(summary), *footnotes(summary)))),
         front=skill_bars(summary),
         along=tuple(curves(summary, shown, kind, quantity) for kind, quantity in kinds),
         groups=(clean_against_all(summary),) if "clean_trials" in summary.groups else (),
@@ -442,5 +467,5 @@ def _analysis(score: SetScore, profiles: Mapping[str, AxisProfile]) -> Analysis:
     """The analysis of variance of the single-axis error."""
     models = compared(score)
     compared_profiles = [profile for name, profile in profiles.items() if name in models]
-    thesis = models == pair([predictor.name for predictor in score.predictors])
+    thesis = not score.contrast and models == pair([predictor.name for predictor in score.predictors])
     return analysis(axis_anova(score, models), compared_profiles, thesis=thesis)

@@ -54,6 +54,21 @@ def tables_of(summary: SetSummary, anova: AnovaSeries) -> dict[str, tuple[str, p
         for skip in summary.skipped
     ]
     made["left-out"] = ("Trials that were left out, and why", pd.DataFrame(left_out))
+    pairs = [
+        {
+            "first": one.first,
+            "second": one.second,
+            f"difference [{summary.unit}]": one.px,
+            "from": one.interval[0],
+            "to": one.interval[1],
+            "t": one.t,
+            "df": one.df,
+            "p": one.p,
+            "p (Holm)": one.p_holm,
+        }
+        for one in summary.contrasts
+    ]
+    made["contrasts"] = ("Predictors compared over people, paired t tests", pd.DataFrame(pairs))
     made["anova"] = ("Analysis of variance of the single-axis error", _anova(anova))
     return {name: (caption, table) for name, (caption, table) in made.items() if len(table)}
 

@@ -13,6 +13,9 @@ from math import isfinite, nan
 import msgspec
 
 from pointpred.recording import Skip
+from pointpred.registry import ablation
+from pointpred.scoring.results import WITH_TARGETS
+from pointpred.scoring.statistics import Contrast
 
 VERSION = 1
 
@@ -155,6 +158,23 @@ class PredictorSummary(msgspec.Struct, frozen=True):
     groups: dict[str, Measures]
     """The same for each group of ``SetSummary.groups``."""
     by_user: dict[str, UserError]
+    learns: bool = False
+    """Whether it learns from one movement of a person to the next."""
+    ablates: str = ""
+    """The predictor that this one is without the memory of ends and distances; "" for any other."""
+
+    def __repr__(self) -> str:
+        error = self.time_averaged
+        return f"<PredictorSummary {self.name}: {error.px} px, {_text(error.of_hold)} of the error of hold>"
+
+
+class Repeats(msgspec.Struct, frozen=True):
+    """How much of a set somebody can know by memory alone."""
+
+    ends: float
+    """Share of trials that end within 3 % of the distance from an end of the person's last 128 movements."""
+    distances: float
+    """Share of trials as long, within 3 %, as one of the person's last 12 movements."""
 
 
 class Resampling(msgspec.Struct, frozen=True):
@@ -174,6 +194,9 @@ class GroupSummary(msgspec.Struct, frozen=True):
     basis: str
     """The rule that puts trials into the group."""
     trials: int
+    column: str = ""
+    level: str = ""
+    """Where the group is a level of a column that was asked for."""
 
 
 class SetSummary(msgspec.Struct, frozen=True):
@@ -197,6 +220,15 @@ class SetSummary(msgspec.Struct, frozen=True):
     """``hold`` first."""
     candidates: dict[str, int] | None = None
     """With targets: what the candidates were, in words, and of how many trials; ``None``: without targets."""
+    contrasts: tuple[Contrast, ...] = ()
+    """Of the pairs that were asked for."""
+    repeats: Repeats | None = None
+    """``None`` where no predictor learns from one movement to the next."""
+
+    def __repr__(self) -> str:
+        about = f"{self.trials} trials of {self.users} people"
+        errors = ", ".join(f"{one.name} {_text(one.time_averaged.of_hold)}" for one in self.predictors)
+        return f"<SetSummary {self.name}: {about}; of the error of hold: {errors}>"
 
 
 class Unread(msgspec.Struct, frozen=True):
@@ -230,6 +262,8 @@ HEADINGS = (
     "us/event",
 )
 """Columns of the table of a set. All but the last two are errors as a share of the error of ``hold``."""
+WITHOUT_MEMORY = "  without memory"
+"""In the place of a predictor's name, below the same with its memory of ends and distances."""
 FEW_PEOPLE = 10
 SEEN = "fitted to people of this set: too good; see docs/evidence/results.md"
 
@@ -263,27 +297,55 @@ def about_targets(summary: SetSummary) -> str:
     return f"With targets: all targets of a trial's block are candidates: {listed}."
 
 
-def rows(summary: SetSummary) -> list[tuple[str, ...]]:
-    """The table of a set from its ``summary``: a row of text a predictor, a cell for each of HEADINGS."""
-    several = summary.trials > 1  # one trial drawn again and again is no interval
-    return [_row(predictor, several) for predictor in summary.predictors]
+def about_memory(summary: SetSummary) -> str:
+    """How much of a set memory alone can know, beside predictors that learn; "" where there are none."""
+    learners = [one.name for one in summary.predictors if one.learns and not one.ablates]
+    learners = [name for name in learners if not name.endswith(WITH_TARGETS)]
+    if summary.repeats is None or not learners:
+        return ""
+    ends, distances = (f"{share:.0%}" for share in (summary.repeats.ends, summary.repeats.distances))
+    ablated = dict.fromkeys(one.ablates.removesuffix(WITH_TARGETS) for one in summary.predictors)
+    without = [spelled for name in ablated if name and (spelled := ablation(name))]
+    rows = f" Without this memory: {', '.join(without)}." if without else ""
+    return (
+        f"Memory: {ends} of ends and {distances} of distances here repeat earlier ones of the person, which "
+        f"{', '.join(learners)} {'learns' if len(learners) == 1 else 'learn'}.{rows}"
+    )
 
 
-def _row(predictor: PredictorSummary, several: bool) -> tuple[str, ...]:
-    interval = predictor.time_averaged.interval if several else None
-    clean = predictor.groups.get("clean_trials")
+def named(predictor: PredictorSummary) -> str:
+    """What the table of a set calls a predictor: one that stands below the same with memory is shorter."""
+    if not predictor.ablates:
+        return predictor.name
+    return WITHOUT_MEMORY + (WITH_TARGETS if predictor.ablates.endswith(WITH_TARGETS) else "")
+
+
+def rows(summary: SetSummary, group: str = "") -> list[tuple[str, ...]]:
+    """The table of a set, or of one of its groups: a row of text a predictor, a cell for each of HEADINGS.
+
+    What is not measured of a group is "-" there: clean trials, answers, the cost.
+    """
+    trials = summary.groups[group].trials if group else summary.trials
+    several = trials > 1  # one trial drawn again and again is no interval
+    return [_row(predictor, group, several) for predictor in summary.predictors]
+
+
+def _row(predictor: PredictorSummary, group: str, several: bool) -> tuple[str, ...]:
+    shown = predictor.groups[group] if group else predictor
+    interval = shown.time_averaged.interval if several else None
+    clean = None if group else predictor.groups.get("clean_trials")
     chosen = [
-        *(predictor.by_time[fraction] for fraction in (0.3, 0.5, 0.7, 0.9)),
-        *(predictor.by_path[fraction] for fraction in (0.5, 0.75, 0.9)),
+        *(shown.by_time[fraction] for fraction in (0.3, 0.5, 0.7, 0.9)),
+        *(shown.by_path[fraction] for fraction in (0.5, 0.75, 0.9)),
     ]
     return (
-        predictor.name,
-        _text(predictor.time_averaged.of_hold),
+        named(predictor),
+        _text(shown.time_averaged.of_hold),
         "-" if interval is None else f"{interval[0]:.2f} to {interval[1]:.2f}",
         _text(None if clean is None else clean.time_averaged.of_hold),
         *(_text(cell.of_hold) for cell in chosen),
-        "-" if predictor.coverage is None else f"{predictor.coverage:.0%}",
-        _text(predictor.us_per_event),
+        "-" if group or predictor.coverage is None else f"{predictor.coverage:.0%}",
+        "-" if group else _text(predictor.us_per_event),
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from math import nan
 from typing import NamedTuple
 
@@ -20,6 +20,7 @@ from pointpred.scoring.results import (
     PredictorErrors,
     SetScore,
 )
+from pointpred.scoring.statistics import EVERY_PAIR, LEAST_USERS, Contrast, contrasts
 from pointpred.scoring.summary import sums
 from pointpred.scoring.summary.bootstrap import DRAWS, LEVEL, drawn_totals, ratio_bounds
 from pointpred.scoring.summary.document import (
@@ -35,6 +36,7 @@ from pointpred.scoring.summary.document import (
     Measures,
     Number,
     PredictorSummary,
+    Repeats,
     Resampling,
     SetSummary,
     TimeLeft,
@@ -42,6 +44,7 @@ from pointpred.scoring.summary.document import (
     UserError,
     interval,
     number,
+    or_nan,
 )
 from pointpred.scoring.summary.sums import (
     WITH_INTERVAL,
@@ -183,7 +186,7 @@ def summarise_parts(about: SetScore, parts: Parts, *, draws: int = DRAWS) -> Set
     names = [errors.name for errors in about.predictors]
     if FLOOR not in names:
         raise ParameterError(f"a summary needs the predictor {FLOOR!r} among those scored", field="score")
-    trials = trial_columns(parts())
+    trials = trial_columns(parts(), about.by)
     everything, *others = groups(trials) or (Group("all trials", np.ones(0, dtype=np.bool_)),)
     summed = sums_of(parts, trials, (everything, *others), len(names))
     floor = names.index(FLOOR)
@@ -192,6 +195,8 @@ def summarise_parts(about: SetScore, parts: Parts, *, draws: int = DRAWS) -> Set
         for place, group in enumerate((everything, *others))
     )
     count = len(trials.person)
+    by_user = [_by_user(summed, trials, place, floor) for place in range(len(names))]
+    pairs, why = _contrasts(about, by_user)
     return SetSummary(
         name=about.name,
         simulated=about.simulated,
@@ -201,9 +206,12 @@ def summarise_parts(about: SetScore, parts: Parts, *, draws: int = DRAWS) -> Set
         candidates=about.candidates,
         events=trials.events,
         skipped=about.skipped,
-        notes=about.notes,
+        notes=(*about.notes, *why),
         interval=Resampling(LEVEL, "users" if len(trials.people) > 1 else "trials", draws, about.seed),
-        groups={_key(one): GroupSummary(one.label, one.basis, int(one.mask.sum())) for one in others},
+        groups={
+            one.key: GroupSummary(one.label, one.basis, int(one.mask.sum()), one.column, one.level)
+            for one in others
+        },
         predictors=tuple(
             PredictorSummary(
                 name=errors.name,
@@ -220,16 +228,35 @@ def summarise_parts(about: SetScore, parts: Parts, *, draws: int = DRAWS) -> Set
                 calibration=whole[place].calibration,
                 time_left=whole[place].time_left,
                 hits=whole[place].hits,
-                groups={_key(one): part[place] for one, part in zip(others, rest, strict=True)},
-                by_user=_by_user(summed, trials, place, floor),
+                groups={one.key: part[place] for one, part in zip(others, rest, strict=True)},
+                by_user=by_user[place],
+                learns=errors.learns,
+                ablates=errors.ablates,
             )
             for place, errors in enumerate(about.predictors)
         ),
+        contrasts=pairs,
+        repeats=Repeats(*trials.repeats) if any(one.learns for one in about.predictors) else None,
     )
 
 
-def _key(group: Group) -> str:
-    return group.label.replace("-", "").replace(" ", "_")
+def _contrasts(
+    about: SetScore, by_user: Sequence[dict[str, UserError]]
+) -> tuple[tuple[Contrast, ...], list[str]]:
+    """The comparisons that were asked for, and why there are none."""
+    if not about.contrast:
+        return (), []
+    names = [errors.name for errors in about.predictors]
+    errors = {
+        name: np.array([or_nan(one.px) for one in people.values()])
+        for name, people in zip(names, by_user, strict=True)
+        if name in about.contrast or about.contrast == EVERY_PAIR
+    }
+    people = len(by_user[0])
+    if people < LEAST_USERS:
+        return (), [f"no contrasts: at least {LEAST_USERS} people are needed, the set has {people}"]
+    wanted = None if about.contrast == EVERY_PAIR else about.contrast
+    return contrasts(errors, wanted), []
 
 
 def _ratio(error: float, floor: float) -> float:

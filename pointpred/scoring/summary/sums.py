@@ -6,7 +6,8 @@ into parts, and memory does not grow with the number of trials.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from sys import intern
 
 import msgspec
 import numpy as np
@@ -23,6 +24,7 @@ from pointpred.scoring.results import (
     PredictorErrors,
     SetScore,
 )
+from pointpred.scoring.selection import known_of, label, levels_of
 from pointpred.stage import offsets
 
 EXPERIENCE = ("experience", "skill", "group")
@@ -44,13 +46,18 @@ class TrialColumns(msgspec.Struct, frozen=True):
     labels: NDArray[np.int8]
     """(EXPERIENCE, trials): the place in LABELS of what the condition says, -1 for anything else."""
     events: int
+    repeats: tuple[float, float] = (0.0, 0.0)
+    """Shares of trials whose end, and whose distance, repeats an earlier one of the person."""
+    by: dict[str, tuple[str, ...]] = {}
+    """Of each column whose levels are groups: the level of each trial."""
 
 
-def trial_columns(parts: Iterable[SetScore]) -> TrialColumns:
+def trial_columns(parts: Iterable[SetScore], by: Sequence[str] = ()) -> TrialColumns:
     """The columns of a set that comes in parts, which are looked at one after the other."""
+    levels: dict[str, list[str]] = {name: [] for name in by}
     codes: dict[str, int] = {}
     person: list[NDArray[np.int64]] = [np.empty(0, dtype=np.int64)]
-    flags: list[BoolArray] = [np.empty((3, 0), dtype=np.bool_)]
+    flags: list[BoolArray] = [np.empty((5, 0), dtype=np.bool_)]
     labels: list[NDArray[np.int8]] = [np.empty((len(EXPERIENCE), 0), dtype=np.int8)]
     events = 0
     for part in parts:
@@ -58,8 +65,11 @@ def trial_columns(parts: Iterable[SetScore]) -> TrialColumns:
         person.append(
             np.array([codes.setdefault(one.trial.user, len(codes)) for one in trials], dtype=np.int64)
         )
-        rows = [(one.submovements, one.clean, one.trial.clean is not None) for one in trials]
-        flags.append(np.array(rows, dtype=np.bool_).reshape(-1, 3).T)
+        rows = [
+            (one.submovements, one.clean, one.trial.clean is not None, one.end_repeats, one.distance_repeats)
+            for one in trials
+        ]
+        flags.append(np.array(rows, dtype=np.bool_).reshape(-1, 5).T)
         labels.append(
             np.array(
                 [[_label(one.trial.condition.get(name)) for one in trials] for name in EXPERIENCE],
@@ -67,10 +77,14 @@ def trial_columns(parts: Iterable[SetScore]) -> TrialColumns:
             )
         )
         events += sum(one.events for one in trials)
+        for one in map(known_of, trials) if by else ():
+            for name in by:
+                levels[name].append(label(one.get(name)))
     people = sorted(codes)
     places = np.empty(len(codes), dtype=np.int64)
     places[[codes[name] for name in people]] = np.arange(len(people))
-    submovements, clean, judged = np.concatenate(flags, axis=1)
+    submovements, clean, judged, *again = np.concatenate(flags, axis=1)
+    ends, distances = (float(one.mean()) if len(one) else 0.0 for one in again)
     return TrialColumns(
         tuple(people),
         places[np.concatenate(person)],
@@ -79,6 +93,8 @@ def trial_columns(parts: Iterable[SetScore]) -> TrialColumns:
         bool(judged.any()),
         np.concatenate(labels, axis=1),
         events,
+        (ends, distances),
+        {name: tuple(map(intern, column)) for name, column in levels.items()},
     )
 
 
@@ -101,6 +117,14 @@ class Group(msgspec.Struct, frozen=True):
     mask: BoolArray
     basis: str = ""
     """The rule that puts trials into the group."""
+    column: str = ""
+    level: str = ""
+    """Where the group is a level of a column."""
+
+    @property
+    def key(self) -> str:
+        """What the group is called in the document."""
+        return self.label if self.column else self.label.replace("-", "").replace(" ", "_")
 
 
 def groups_of(score: SetScore) -> tuple[Group, ...]:
@@ -109,7 +133,7 @@ def groups_of(score: SetScore) -> tuple[Group, ...]:
 
 
 def groups(trials: TrialColumns) -> tuple[Group, ...]:
-    """All trials; those with and without sub-movements; clean ones; experienced people and novices.
+    """All trials; with and without sub-movements; clean ones; experienced people and novices; levels.
 
     A group without a trial is not listed; one with every trial is.
     """
@@ -119,8 +143,16 @@ def groups(trials: TrialColumns) -> tuple[Group, ...]:
         Group("without sub-movements", ~trials.submovements, WHOLE),
         Group("clean trials", trials.clean, CLEAN_OWN if trials.judged else CLEAN_RULE),
         *_people(trials),
+        *(group for name, levels in trials.by.items() for group in _levels(name, levels)),
     ]
     return tuple(group for group in listed if group.mask.any())
+
+
+def _levels(name: str, column: Sequence[str]) -> Iterator[Group]:
+    """A group a level of a column."""
+    cells = np.array(column, dtype=object)
+    for level in levels_of(name, column):
+        yield Group(f"{name} = {level}", cells == level, f"--by {name}", name, level)
 
 
 def _people(trials: TrialColumns) -> list[Group]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from pointpred.cli.help_text import option_error
 from pointpred.cli.options import option, with_options
+from pointpred.cli.shared_options import tell_others
 from pointpred.console import remarks
 from pointpred.errors import ParameterError, SourceError
 from pointpred_server.cli.service_start import ServiceStart
@@ -87,6 +88,7 @@ def serve(settings: Settings) -> None:
     from pointpred_server.logs import set_up
     from pointpred_server.service import Service
 
+    tell_others()
     settings = settings.guarded()
     style = set_up(settings.log_format)
     opened = open_port(settings)
