@@ -14,7 +14,7 @@ from pointpred.drawing import GREY, PALETTE, Picture, canvas, picture
 from pointpred.files import write_whole
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
-from pointpred.registry import build, takes
+from pointpred.registry import build, settings_in, takes
 from pointpred.scoring import FLOOR, SetSummary, resolution
 
 if TYPE_CHECKING:
@@ -43,13 +43,15 @@ def judged_on(recording: Recording, names: Sequence[str]) -> list[str | Pipeline
     """
     coefficients = LEFT_OUT / f"{recording.name}.npz"
     chosen: list[str | Pipeline] = []
-    for name in names:
-        if coefficients.is_file() and takes(name, "coefficients"):
-            pipeline = build(name, coefficients=coefficients, **resolution(recording, None, None))
-            pipeline.name = name + SET_OUT
+    for spelled in names:
+        name, settings = settings_in(spelled)
+        if coefficients.is_file() and takes(name, "coefficients") and "coefficients" not in settings:
+            own = {**resolution(recording, None, None), **settings, "coefficients": coefficients}
+            pipeline = build(name, **own)
+            pipeline.name = spelled + SET_OUT
             chosen.append(pipeline)
         else:
-            chosen.append(name)
+            chosen.append(spelled)
     return chosen
 
 

@@ -264,14 +264,19 @@ def settings_in(spelled: str) -> tuple[str, dict[str, Any]]:
 def ablation(spelled: str) -> str | None:
     """The same predictor without its memory of ends and distances; ``None`` where it has none.
 
-    >>> ablation("kinematic-adaptive:shortest_px=5"), ablation("linear")
-    ('kinematic-adaptive:shortest_px=5:places=0:distances=0', None)
+    Words in brackets behind a name stay there.
+
+    >>> ablation("kinematic-adaptive:shortest_px=5"), ablation("linear"), ablation("my own")
+    ('kinematic-adaptive:shortest_px=5:places=0:distances=0', None, None)
     """
+    spelled, bracket, words = spelled.partition(" (")
     name, settings = settings_in(spelled)
+    if name not in REGISTRY:
+        return None
     without = {**settings, **_entry(name).predictor.without_memory}
     if without == settings or not build(name, **settings).learns:
         return None
-    return ":".join([name, *(f"{word}={value}" for word, value in without.items())])
+    return ":".join([name, *(f"{word}={value}" for word, value in without.items())]) + bracket + words
 
 
 def parameters(name: str) -> dict[str, tuple[Parameter, Any]]:

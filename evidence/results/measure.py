@@ -23,7 +23,7 @@ from evidence.results.records import FOLDER, SetResults, write
 from pointpred import REGISTRY
 from pointpred.pipeline import Pipeline
 from pointpred.recording import Recording
-from pointpred.registry import ablation, settings_in
+from pointpred.registry import settings_in
 from pointpred.scoring import PredictorErrors, SetScore, prepare, replay, resolution, score, summarise
 from pointpred.scoring.scorer import with_ablations
 from pointpred.scoring.trials import Prepared
@@ -64,15 +64,9 @@ def scored(recording: Recording, predictors: Sequence[str], held: HeldOut, seed:
     (whole,) = score([recording], plain, seed=seed)
     prepared = prepare(recording, **resolution(recording, None, None)) if by_person else None
     rows = [replay_by_person(prepared, name, people) for name, people in by_person if prepared is not None]
-    rows = [*map(_beside_memory, whole.predictors), *rows]
+    rows = [*whole.predictors, *rows]
     notes = [f"not scored: {one}" for one in missing]
     return msgspec.structs.replace(whole, predictors=tuple(rows), notes=(*whole.notes, *notes))
-
-
-def _beside_memory(row: PredictorErrors) -> PredictorErrors:
-    """The row of what learned from recordings with the predictor that it is without memory, if it is one."""
-    ablated = {f"{ablation(name)}{SET_OUT}": f"{name}{SET_OUT}" for name in REGISTRY}
-    return msgspec.structs.replace(row, ablates=ablated.get(row.name, row.ablates))
 
 
 def replay_by_person(prepared: Prepared, name: str, people: Mapping[str, Pipeline]) -> PredictorErrors:

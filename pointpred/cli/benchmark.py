@@ -14,7 +14,7 @@ from pointpred.cli.reading_options import Reasons, leave_out
 from pointpred.cli.score import WORST, predictor_names
 from pointpred.cli.shared_options import complete_predictors
 from pointpred.console import remark, results, table
-from pointpred.errors import PointpredError, RecordingError
+from pointpred.errors import ParameterError, PointpredError, RecordingError
 from pointpred.extras import require
 
 if TYPE_CHECKING:
@@ -57,7 +57,10 @@ def benchmark(
 
       pointpred benchmark --predictors minimum-jerk,kinematic --json scores.json
     """
-    names = predictor_names(predictors)
+    names, tables = predictor_names(predictors)
+    if tables:
+        message = "a table of predictions is of one set: pointpred score FILES --predictors NAME=TABLE"
+        raise ParameterError(message, field="predictors", value=predictors)
     if report is not None:
         require("report", "a report")
         from pointpred.scoring.report.report import page_in
@@ -101,6 +104,7 @@ def _scored(folder: Path, names: Sequence[str], reasons: Reasons, *, worst: int)
     from pointpred.cli.progress import following
     from pointpred.datasets import fetch, terms
     from pointpred.scoring import score
+    from pointpred.scoring.scorer import with_ablations
 
     entries = benchmark_sets()
     said = [line for entry in entries for line in terms(entry)]
@@ -118,7 +122,9 @@ def _scored(folder: Path, names: Sequence[str], reasons: Reasons, *, worst: int)
                 )
             recording = entry.read(folder / entry.name)
             with following(events=True) as progress:
-                scores += score([recording], judged_on(recording, names), worst=worst, progress=progress)
+                scores += score(
+                    [recording], judged_on(recording, with_ablations(names)), worst=worst, progress=progress
+                )
         except (PointpredError, OSError) as error:  # the other sets are scored
             leave_out(reasons, entry.name, error)
     return scores

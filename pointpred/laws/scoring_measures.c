@@ -65,7 +65,7 @@ int64_t scoring_measures_endpoint_measure_trial(Table rows, Table answers, Vecto
       weighted += weight * error;
       weights += weight;
     }
-    while (next_time < scoring_measures_endpoint_BY_PATH && (i == last || rows.p[(i + 1) * rows.m + 0] > start_t + fractions.p[next_time - scoring_measures_endpoint_BY_TIME] * span_t)) {
+    while (next_time < scoring_measures_endpoint_BY_PATH && (i == last || rows.p[(i + 1) * rows.m + 0] > start_t + fractions.p[next_time - scoring_measures_endpoint_BY_TIME] * span_t + records_ROUNDING_S)) {
       out.p[next_time] = error;
       next_time += 1;
     }
@@ -110,7 +110,7 @@ void scoring_measures_endpoint_moments(Table rows, int64_t first, int64_t arriva
   start = rows.p[first * rows.m + 0];
   span = rows.p[arrival * rows.m + 0] - rows.p[first * rows.m + 0];
   for (int64_t k = 0; k < shares.n; k++) {
-    while (i < last && rows.p[(i + 1) * rows.m + 0] <= start + shares.p[k] * span) {
+    while (i < last && rows.p[(i + 1) * rows.m + 0] <= start + shares.p[k] * span + records_ROUNDING_S) {
       i += 1;
     }
     out.p[k] = i;

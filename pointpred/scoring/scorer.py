@@ -266,7 +266,7 @@ class Scoring(msgspec.Struct, frozen=True):
     def ablated(self) -> dict[str, str]:
         """By predictors that are others without their memory of ends and distances: those others."""
         without: dict[str, str] = {}
-        for name in (name for name, p in self.patterns.items() if isinstance(p, str)):
+        for name in self.patterns:
             if (other := ablation(name)) in self.patterns:
                 without |= {f"{other}{more}": f"{name}{more}" for more in ("", WITH_TARGETS)}
         return without

@@ -12,7 +12,7 @@ from math import hypot, inf
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.records import FloatArray, FloatTable, IntArray
+from pointpred.records import ROUNDING_S, FloatArray, FloatTable, IntArray
 from pointpred.scoring.results import AXIS_FRACTIONS, PATH_FRACTIONS, TIME_FRACTIONS, ScoredTrial
 
 WEIGHT_S = 0.05
@@ -60,7 +60,7 @@ def measure_trial(
             weighted += weight * error
             weights += weight
         while next_time < BY_PATH and (
-            i == last or rows[i + 1, 0] > start_t + fractions[next_time - BY_TIME] * span_t
+            i == last or rows[i + 1, 0] > start_t + fractions[next_time - BY_TIME] * span_t + ROUNDING_S
         ):
             out[next_time] = error
             next_time += 1
@@ -107,7 +107,7 @@ def moments(rows: FloatTable, first: int, arrival: int, last: int, shares: Float
     """For each share of the time its row: the last at or before that time; shares ascend."""
     i, start, span = first, rows[first, 0], rows[arrival, 0] - rows[first, 0]
     for k in range(len(shares)):
-        while i < last and rows[i + 1, 0] <= start + shares[k] * span:
+        while i < last and rows[i + 1, 0] <= start + shares[k] * span + ROUNDING_S:
             i += 1
         out[k] = i
 

@@ -3,7 +3,7 @@ import { remainder } from "../arithmetic.js";
 import * as $records from "../records.js";
 import * as $loop from "./loop.js";
 import * as $simulation_person from "./person.js";
-import * as $plan from "./plan.js";
+import * as $simulation_plan from "./plan.js";
 import * as $functions from "../transfer/functions.js";
 export const PERIOD_S = 0.008;
 export const SUBSTEPS = 16;
@@ -78,7 +78,7 @@ export function draw(s, traits, draws, s_at = 0, traits_at = 0, draws_at = 0) {
   if (uniform(s, s_at) >= traits[traits_at + 3]) {
     draws[draws_at + 7] = 2;
     for (let _ = 0, end_1 = $loop.PIECES_MOST - 2; _ < end_1; _++) {
-      if (uniform(s, s_at) < $plan.FURTHER_PIECE * (1 - traits[traits_at])) {
+      if (uniform(s, s_at) < $simulation_plan.FURTHER_PIECE * (1 - traits[traits_at])) {
         draws[draws_at + 7] += 1;
       }
     }
@@ -99,7 +99,7 @@ export function draw(s, traits, draws, s_at = 0, traits_at = 0, draws_at = 0) {
 export function aim(hand, x, y, width, hand_at = 0) {
   hand.fill(0, hand_at + 117, hand_at + 1164);
   draw(hand, hand, hand, hand_at, hand_at + 6, hand_at + 26);
-  $plan.plan(hand, hand, hand, x, y, width, hand_at + 62, hand_at + 6, hand_at + 26);
+  $simulation_plan.plan(hand, hand, hand, x, y, width, hand_at + 62, hand_at + 6, hand_at + 26);
 }
 export function report(hand, hand_at = 0) {
   const chance_x = normal(hand, hand_at);

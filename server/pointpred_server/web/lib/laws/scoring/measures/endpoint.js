@@ -1,5 +1,6 @@
 // Written by `make laws` from endpoint.py: change that and run it again.
 import { hypot, smaller } from "../../arithmetic.js";
+import * as $records from "../../records.js";
 export const WEIGHT_S = 0.05;
 export const FRACTIONS = /* @__PURE__ */ new Float64Array([0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 1, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1]);
 export const TIME_AVERAGED = 0;
@@ -44,7 +45,7 @@ export function measure_trial(rows, answers, fractions, arrival, out) {
       weighted += weight * error;
       weights += weight;
     }
-    while (next_time < BY_PATH && (i === last || rows[i + 1][0] > start_t + fractions[next_time - BY_TIME] * span_t)) {
+    while (next_time < BY_PATH && (i === last || rows[i + 1][0] > start_t + fractions[next_time - BY_TIME] * span_t + $records.ROUNDING_S)) {
       out[next_time] = error;
       next_time += 1;
     }
