@@ -75,7 +75,7 @@ def protocol(rows: list[Row], answers: Callable[[list[Row]], list[Any]]) -> dict
     error = [dist(p, truth) for p in shown]
     span = t[arrival] - t[0]
     weights = [min(t[i + 1] - t[i], 0.05) for i in range(arrival)]
-    moment = {q: max(i for i in range(len(t)) if t[i] <= t[0] + q * span) for q in {*Q_TIME, *TENTHS}}
+    moment = {q: max(i for i in range(len(t)) if t[i] <= t[0] + q * span + 1e-6) for q in {*Q_TIME, *TENTHS}}
 
     def mean(values: list[float], of: list[bool] | None = None) -> float:
         kept = [w if of is None or of[i] else 0.0 for i, w in enumerate(weights)]
