@@ -180,8 +180,9 @@ def conditions_of(
 ) -> tuple[list[Condition], list[str]]:
     """The conditions of each trial, and the columns that are none, because they vary within a trial.
 
-    ``rows`` of the columns belong to ``group``. Numbers stay numbers if every cell is one; an empty cell is
-    not a condition. At most 64 columns become conditions, those that differ between trials first.
+    ``rows`` of the columns belong to ``group``. Numbers stay numbers if every cell is one; an empty cell, and
+    NaN or NA among numbers, is not a condition. At most 64 columns become conditions, those that differ
+    between trials first.
     """
     found: dict[str, tuple[list[int], list[str]]] = {}
     for name, column in columns.items():
@@ -200,8 +201,9 @@ def conditions_of(
     for name, (codes, cells) in found.items():
         numbers, faults = arrow_tables.finite_numbers(pa.chunked_array([pa.array(cells, pa.string())]))
         for condition, code in zip(conditions, codes, strict=True):
-            if cells[code].strip():
-                condition[condition_name(name)] = cells[code] if faults else float(numbers[code])
+            value = cells[code] if faults else float(numbers[code])
+            if cells[code].strip() and value == value:
+                condition[condition_name(name)] = value
     return conditions, [name for name in columns if name not in found]
 
 
@@ -256,9 +258,14 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
     groups = Groups(np.full(len(table), -1, dtype=np.int64))
     methods: dict[str, None] = {}
     restarts = 0
+    named = any(names)
     for code, user in enumerate(names):
         mine = np.flatnonzero((codes == code) & usable)
         if not len(mine):
+            continue
+        if named and not user:
+            row = samples.row_of[mine[0]]
+            notes.append(f"rows without user left out: {len(mine)}, the first is data row {row}")
             continue
         stream = table[mine]
         begin = stream[0, 0]

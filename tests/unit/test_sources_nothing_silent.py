@@ -66,3 +66,33 @@ def test_a_state_of_0_and_1_is_no_button(tmp_path: Path) -> None:
     assert not read(tmp_path, "t_ms,x,y,state", rows("0", "1")).events.table[:, 5].any()
     assert read(tmp_path, "t_ms,x,y,state", rows("Move", "Drag")).events.table[:2, 5].tolist() == [0.0, 1.0]
     assert read(tmp_path, "t_ms,x,y,trial,button", rows("1,1")).events.table[0, 5] == 1.0
+
+
+def test_a_missing_number_is_no_name_and_no_condition(tmp_path: Path) -> None:
+    lines = [
+        f"{row},{'NA' if at > 19 else at // 10},{'NA' if at < 10 else 3}" for at, row in enumerate(rows())
+    ]
+    recording = read(tmp_path, "t_ms,x,y,trial,difficulty", lines)
+    assert [(trial.trial, trial.condition) for trial in recording.trials] == [
+        ("0", {}),
+        ("1", {"difficulty": 3}),
+    ]
+    assert "rows without user or trial left out: 10, the first is data row 20" in recording.notes
+
+
+def test_a_name_of_two_letters_stays_a_name(tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y,user", rows("NA", "BO"))
+    assert [trial.user for trial in recording.trials] == ["NA", "BO"]
+
+
+def test_a_target_that_is_no_number_is_said(tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y,trial,target_x,target_w", rows("1,30,20 px"))
+    assert recording.trials[0].target_x == 30
+    assert "cells of target_w that are no numbers: 30, the first is '20 px' in data row 0" in recording.notes
+
+
+def test_rows_of_a_stream_without_a_user_are_nobodys(tmp_path: Path) -> None:
+    lines = [f"{user},{line}" for user in ("ann", "", "study") for line in rows()]
+    recording = read(tmp_path, "user,t_ms,x,y", lines)
+    assert [(trial.user, trial.trial) for trial in recording.trials] == [("ann", "0"), ("study", "0")]
+    assert "rows without user left out: 30, the first is data row 30" in recording.notes

@@ -163,4 +163,4 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
 
 
 def _word(cell: Any) -> str:
-    return "" if cell is None else str(cell).strip()
+    return "" if cell is None or cell != cell else str(cell).strip()
