@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from pointpred.errors import ColumnsError
 from pointpred.recording import Recording
 from pointpred.recordings import Reading, read_any
 from tests.building import lines_file
@@ -96,3 +97,13 @@ def test_rows_of_a_stream_without_a_user_are_nobodys(tmp_path: Path) -> None:
     recording = read(tmp_path, "user,t_ms,x,y", lines)
     assert [(trial.user, trial.trial) for trial in recording.trials] == [("ann", "0"), ("study", "0")]
     assert "rows without user left out: 30, the first is data row 30" in recording.notes
+
+
+def test_a_long_word_beside_buttons_takes_no_long_time(tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y,button,page", rows(f"left,{'mouse' * 10_000}!"))
+    assert len(recording.skipped) == 1
+
+
+def test_a_column_named_by_very_many_digits_is_a_column(tmp_path: Path) -> None:
+    with pytest.raises(ColumnsError, match="no column for x"):
+        read(tmp_path, f"t_ms,a,y,q{'1' * 5000}", rows("0"))
