@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pointpred.errors import ColumnsError
+from pointpred.errors import ColumnsError, ParameterError
 from pointpred.recording import Recording
 from pointpred.recordings import Reading, read_any
 from tests.building import lines_file
@@ -107,3 +107,18 @@ def test_a_long_word_beside_buttons_takes_no_long_time(tmp_path: Path) -> None:
 def test_a_column_named_by_very_many_digits_is_a_column(tmp_path: Path) -> None:
     with pytest.raises(ColumnsError, match="no column for x"):
         read(tmp_path, f"t_ms,a,y,q{'1' * 5000}", rows("0"))
+
+
+def test_buttons_that_are_not_as_many_as_the_samples_are_said(tmp_path: Path) -> None:
+    lines = [
+        f'{k},"[0,8,16]","[1,2,9]","[4,5,6]","[{buttons}]"' for k, buttons in enumerate(("0,1", "0,0,1", ""))
+    ]
+    recording = read(tmp_path, "trial,t_ms,x,y,buttons", lines)
+    assert recording.events.buttons.tolist() == [0, 0, 0, 0, 0, 1, 0, 0, 0]
+    assert "rows whose buttons are not as many as their samples, left aside: 1" in recording.notes
+
+
+@pytest.mark.parametrize("px", [(1.0,), (1.0, 2.0, 3.0)])
+def test_pixels_in_a_unit_are_one_number_or_two(px: tuple[float, ...]) -> None:
+    with pytest.raises(ParameterError, match="px_per_unit"):
+        Reading(px_per_unit=px)  # type: ignore[arg-type]
