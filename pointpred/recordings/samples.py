@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import Any
 
 import msgspec
@@ -75,16 +75,13 @@ class Samples(msgspec.Struct, kw_only=True):
         """The user of each sample."""
         return self.user or (np.zeros(len(self.table), dtype=np.int64), [self.one_user])
 
-    def sort(self, places: IntArray, rows: IntArray) -> None:
-        """Put the samples ``rows`` of a user at ``places`` instead."""
-        if np.array_equal(places, rows):
+    def sort(self, order: IntArray) -> None:
+        """Put the samples in another order, in which each place keeps its user."""
+        if not np.any(np.diff(order) < 0):
             return
-        order = np.arange(len(self.table), dtype=np.int64)
-        order[places] = rows
         self.table, self.row_of = self.table[order], self.row_of[order]
         self.cells = order if self.cells is None else self.cells[order]
         self.targets = None if self.targets is None else self.targets[order]
-        self.parts = None if self.parts is None else self.parts[order]
         at = np.argsort(order)
         self.faults = {int(at[row]): words for row, words in self.faults.items()}
 
@@ -259,8 +256,11 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
     methods: dict[str, None] = {}
     restarts = 0
     named = any(names)
-    for code, user in enumerate(names):
-        mine = np.flatnonzero((codes == code) & usable)
+    order = np.arange(len(table), dtype=np.int64)
+    by_user = np.flatnonzero(usable)[np.argsort(codes[usable], kind="stable")]
+    bounds = np.searchsorted(codes[by_user], np.arange(len(names) + 1)).tolist()
+    for user, (first, stop) in zip(names, pairwise(bounds), strict=True):
+        mine = by_user[first:stop]
         if not len(mine):
             continue
         if named and not user:
@@ -272,11 +272,11 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
         stream[:, 0] = (stream[:, 0] - begin) / samples.per_second
         ordered = in_order(stream[:, 0], reading.sort)
         notes += ordered.notes(samples.row_of[mine])
-        samples.sort(mine, mine[ordered.order])
+        order[mine] = mine[ordered.order]
         stream, anew = stream[ordered.order], ordered.anew
         restarts += len(anew)
         if samples.parts is not None:
-            anew = np.union1d(anew, np.flatnonzero(np.diff(samples.parts[mine])) + 1)
+            anew = np.union1d(anew, np.flatnonzero(np.diff(samples.parts[order[mine]])) + 1)
         parts = np.split(np.arange(len(mine)), anew)
         how = reading.cut or samples.cut or _method(stream, parts)
         methods[how] = None
@@ -285,8 +285,9 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
             for piece in cut(EventColumns(stream[part]), how, reading):
                 some = mine[part[piece.start : piece.stop]]
                 if piece.reason:
-                    first, last = samples.row_of[some[[0, -1]]].tolist()
-                    skip = Skip(f"rows {first} to {last}", piece.reason, first, user or samples.one_user)
+                    ends = samples.row_of[order[some[[0, -1]]]].tolist()
+                    words = "rows {} to {}".format(*ends)
+                    skip = Skip(words, piece.reason, ends[0], user or samples.one_user)
                     samples.skipped.append(skip)
                     continue
                 groups.group[some] = len(groups.keys)
@@ -294,6 +295,7 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
                 since = stream[part[piece.start], 0]
                 groups.begins.append({"begins_s": float(since + begin / samples.per_second)})
                 number += 1
+    samples.sort(order)
     if samples.cut is None:
         cuts = " or ".join(CUTS[method] for method in methods)
         count = "" if len(groups.keys) == 1 else f"; {len(groups.keys)} trials"
