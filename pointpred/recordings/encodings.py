@@ -265,8 +265,8 @@ def _odd(decoder: codecs.IncrementalDecoder, block: bytes, place: int) -> int:
     waiting = len(decoder.getstate()[0])
     try:
         decoder.decode(block, final=not block)
-    except UnicodeDecodeError as error:
-        return place - waiting + error.start
+    except UnicodeError as error:  # without a place where UTF-16 lacks its mark
+        return place - waiting + getattr(error, "start", 0)
     return -1
 
 

@@ -8,11 +8,12 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from os.path import commonpath
 from pathlib import Path
+from typing import get_args
 
 import msgspec
 
 from pointpred.columns import Frame, is_frame
-from pointpred.errors import ColumnsError, MissingExtraError, RecordingError
+from pointpred.errors import ColumnsError, MissingExtraError, ParameterError, RecordingError
 from pointpred.recording import Provenance, Recording, Skip
 from pointpred.recordings.addresses import address_in, local_copy
 from pointpred.recordings.encodings import encoding_of, head_of, stem_of, text_in
@@ -66,6 +67,9 @@ def read_any(
     paths = [_here(one) for one in ([path] if isinstance(path, str | Path) else path)]
     if people is None and not isinstance(path, str | Path):
         people = "file"
+    if people not in (None, *get_args(People)):
+        message = f"people must be file, folder or column, received {people!r}"
+        raise ParameterError(message, field="people", value=people)
     unused = {
         "columns": None if columns is None else dict(columns),
         "time_unit": time_unit,

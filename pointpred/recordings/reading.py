@@ -100,7 +100,7 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True):
             ("time_unit", self.time_unit in (None, *get_args(TimeUnit)), "s, ms, us, ns or iso"),
             (
                 "px_per_unit",
-                all(0 < gain <= LARGEST for gain in self.gain),
+                len(self.gain) == 2 and all(0 < gain <= LARGEST for gain in self.gain),
                 f"above 0 and at most {LARGEST:g} px in a unit",
             ),
         )

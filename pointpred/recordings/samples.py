@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import Any
 
 import msgspec
@@ -75,16 +75,13 @@ class Samples(msgspec.Struct, kw_only=True):
         """The user of each sample."""
         return self.user or (np.zeros(len(self.table), dtype=np.int64), [self.one_user])
 
-    def sort(self, places: IntArray, rows: IntArray) -> None:
-        """Put the samples ``rows`` of a user at ``places`` instead."""
-        if np.array_equal(places, rows):
+    def sort(self, order: IntArray) -> None:
+        """Put the samples in another order, in which each place keeps its user."""
+        if not np.any(np.diff(order) < 0):
             return
-        order = np.arange(len(self.table), dtype=np.int64)
-        order[places] = rows
         self.table, self.row_of = self.table[order], self.row_of[order]
         self.cells = order if self.cells is None else self.cells[order]
         self.targets = None if self.targets is None else self.targets[order]
-        self.parts = None if self.parts is None else self.parts[order]
         at = np.argsort(order)
         self.faults = {int(at[row]): words for row, words in self.faults.items()}
 
@@ -180,8 +177,9 @@ def conditions_of(
 ) -> tuple[list[Condition], list[str]]:
     """The conditions of each trial, and the columns that are none, because they vary within a trial.
 
-    ``rows`` of the columns belong to ``group``. Numbers stay numbers if every cell is one; an empty cell is
-    not a condition. At most 64 columns become conditions, those that differ between trials first.
+    ``rows`` of the columns belong to ``group``. Numbers stay numbers if every cell is one; an empty cell, and
+    NaN or NA among numbers, is not a condition. At most 64 columns become conditions, those that differ
+    between trials first.
     """
     found: dict[str, tuple[list[int], list[str]]] = {}
     for name, column in columns.items():
@@ -200,8 +198,9 @@ def conditions_of(
     for name, (codes, cells) in found.items():
         numbers, faults = arrow_tables.finite_numbers(pa.chunked_array([pa.array(cells, pa.string())]))
         for condition, code in zip(conditions, codes, strict=True):
-            if cells[code].strip():
-                condition[condition_name(name)] = cells[code] if faults else float(numbers[code])
+            value = cells[code] if faults else float(numbers[code])
+            if cells[code].strip() and value == value:
+                condition[condition_name(name)] = value
     return conditions, [name for name in columns if name not in found]
 
 
@@ -256,20 +255,28 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
     groups = Groups(np.full(len(table), -1, dtype=np.int64))
     methods: dict[str, None] = {}
     restarts = 0
-    for code, user in enumerate(names):
-        mine = np.flatnonzero((codes == code) & usable)
+    named = any(names)
+    order = np.arange(len(table), dtype=np.int64)
+    by_user = np.flatnonzero(usable)[np.argsort(codes[usable], kind="stable")]
+    bounds = np.searchsorted(codes[by_user], np.arange(len(names) + 1)).tolist()
+    for user, (first, stop) in zip(names, pairwise(bounds), strict=True):
+        mine = by_user[first:stop]
         if not len(mine):
+            continue
+        if named and not user:
+            row = samples.row_of[mine[0]]
+            notes.append(f"rows without user left out: {len(mine)}, the first is data row {row}")
             continue
         stream = table[mine]
         begin = stream[0, 0]
         stream[:, 0] = (stream[:, 0] - begin) / samples.per_second
         ordered = in_order(stream[:, 0], reading.sort)
         notes += ordered.notes(samples.row_of[mine])
-        samples.sort(mine, mine[ordered.order])
+        order[mine] = mine[ordered.order]
         stream, anew = stream[ordered.order], ordered.anew
         restarts += len(anew)
         if samples.parts is not None:
-            anew = np.union1d(anew, np.flatnonzero(np.diff(samples.parts[mine])) + 1)
+            anew = np.union1d(anew, np.flatnonzero(np.diff(samples.parts[order[mine]])) + 1)
         parts = np.split(np.arange(len(mine)), anew)
         how = reading.cut or samples.cut or _method(stream, parts)
         methods[how] = None
@@ -278,8 +285,9 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
             for piece in cut(EventColumns(stream[part]), how, reading):
                 some = mine[part[piece.start : piece.stop]]
                 if piece.reason:
-                    first, last = samples.row_of[some[[0, -1]]].tolist()
-                    skip = Skip(f"rows {first} to {last}", piece.reason, first, user or samples.one_user)
+                    ends = samples.row_of[order[some[[0, -1]]]].tolist()
+                    words = "rows {} to {}".format(*ends)
+                    skip = Skip(words, piece.reason, ends[0], user or samples.one_user)
                     samples.skipped.append(skip)
                     continue
                 groups.group[some] = len(groups.keys)
@@ -287,6 +295,7 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
                 since = stream[part[piece.start], 0]
                 groups.begins.append({"begins_s": float(since + begin / samples.per_second)})
                 number += 1
+    samples.sort(order)
     if samples.cut is None:
         cuts = " or ".join(CUTS[method] for method in methods)
         count = "" if len(groups.keys) == 1 else f"; {len(groups.keys)} trials"

@@ -175,7 +175,11 @@ class _MappedTable:
             return self.opened.user if key == "user" else self.opened.trial
         if key not in self.mapping:
             return None
-        return codes_of(pc.utf8_trim_whitespace(arrow_tables.words(self.field(key))).fill_null(""))
+        codes, names = codes_of(pc.utf8_trim_whitespace(arrow_tables.words(self.field(key))).fill_null(""))
+        numbers, words = arrow_tables.numbers(as_arrow(names))
+        if not words and np.isfinite(numbers).any():  # among numbers, NaN and NA are empty cells
+            names = ["" if number != number else name for name, number in zip(names, numbers, strict=True)]
+        return codes, names
 
     def _unit(self) -> tuple[str, str]:
         """The unit of time, and its source for notes; raises ColumnsError if it is unknown."""
@@ -245,7 +249,14 @@ class _MappedTable:
                 self._check_numbers(field, samples.table[:, place])
         for place, field in enumerate(TARGET):
             if field in self.mapping:
-                numbers, _ = arrow_tables.finite_numbers(self.field(field))
+                numbers, wrong = arrow_tables.finite_numbers(self.field(field))
+                if wrong:
+                    at, cell = min(wrong.items())
+                    row = at if self.table.row_of is None else self.table.row_of[at]
+                    self.notes.append(
+                        f"cells of {self.mapping[field]} that are no numbers: {len(wrong)}, "
+                        f"the first is {cell!r} in data row {row}"
+                    )
                 with np.errstate(over="ignore"):
                     numbers = numbers * self.gains[field] + 0.0
                 samples.targets[:, place] = numbers if samples.cells is None else numbers[samples.cells]

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from pointpred.errors import RecordingError
+from pointpred.errors import ParameterError, RecordingError
 from pointpred.recordings import read, read_any, write
 from pointpred.recordings.reading import People, Reading
 
@@ -122,3 +122,8 @@ def test_several_files_without_join_stay_recordings_of_their_own(
     assert done.code == 0
     assert (tmp_path / "p1_all_samples.csv").exists()
     assert (tmp_path / "p2_all_samples.csv").exists()
+
+
+def test_an_unknown_way_to_tell_people_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ParameterError, match="people must be file, folder or column, received 'user'"):
+        read_any([table(tmp_path / "anna.csv")], people="user")  # type: ignore[arg-type]

@@ -14,8 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.errors import RecordingError
+from pointpred.recordings import Reading, format_of, read, read_any
 from pointpred.recordings import encodings as decoding
-from pointpred.recordings import format_of, read, read_any
 from pointpred.recordings.encodings import (
     encoding_of,
     head_of,
@@ -217,3 +217,10 @@ def test_a_gzip_file_with_a_wrong_byte_is_refused_or_reads_the_same(at: int, cha
         except RecordingError:
             return
     assert found in (TEXT * 20, data.decode("latin-1"))
+
+
+def test_text_without_the_mark_that_its_named_encoding_needs_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "study.csv"
+    path.write_text("t_ms,x,y\n0,1,2\n8,3,4\n16,5,6\n")
+    with pytest.raises(RecordingError, match="byte 0 is not utf-16"):
+        read_any(path, Reading(encoding="utf-16"))

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from time import perf_counter
 
+import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 
+from pointpred.errors import ColumnsError, ParameterError
 from pointpred.recording import Recording
 from pointpred.recordings import Reading, read_any
 from tests.building import lines_file
@@ -66,3 +70,76 @@ def test_a_state_of_0_and_1_is_no_button(tmp_path: Path) -> None:
     assert not read(tmp_path, "t_ms,x,y,state", rows("0", "1")).events.table[:, 5].any()
     assert read(tmp_path, "t_ms,x,y,state", rows("Move", "Drag")).events.table[:2, 5].tolist() == [0.0, 1.0]
     assert read(tmp_path, "t_ms,x,y,trial,button", rows("1,1")).events.table[0, 5] == 1.0
+
+
+def test_a_missing_number_is_no_name_and_no_condition(tmp_path: Path) -> None:
+    lines = [
+        f"{row},{'NA' if at > 19 else at // 10},{'NA' if at < 10 else 3}" for at, row in enumerate(rows())
+    ]
+    recording = read(tmp_path, "t_ms,x,y,trial,difficulty", lines)
+    assert [(trial.trial, trial.condition) for trial in recording.trials] == [
+        ("0", {}),
+        ("1", {"difficulty": 3}),
+    ]
+    assert "rows without user or trial left out: 10, the first is data row 20" in recording.notes
+
+
+def test_a_name_of_two_letters_stays_a_name(tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y,user", rows("NA", "BO"))
+    assert [trial.user for trial in recording.trials] == ["NA", "BO"]
+
+
+def test_a_target_that_is_no_number_is_said(tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y,trial,target_x,target_w", rows("1,30,20 px"))
+    assert recording.trials[0].target_x == 30
+    assert "cells of target_w that are no numbers: 30, the first is '20 px' in data row 0" in recording.notes
+
+
+def test_rows_of_a_stream_without_a_user_are_nobodys(tmp_path: Path) -> None:
+    lines = [f"{user},{line}" for user in ("ann", "", "study") for line in rows()]
+    recording = read(tmp_path, "user,t_ms,x,y", lines)
+    assert [(trial.user, trial.trial) for trial in recording.trials] == [("ann", "0"), ("study", "0")]
+    assert "rows without user left out: 30, the first is data row 30" in recording.notes
+
+
+def test_a_long_word_beside_buttons_takes_no_long_time(tmp_path: Path) -> None:
+    recording = read(tmp_path, "t_ms,x,y,button,page", rows(f"left,{'mouse' * 10_000}!"))
+    assert len(recording.skipped) == 1
+
+
+def test_a_column_named_by_very_many_digits_is_a_column(tmp_path: Path) -> None:
+    with pytest.raises(ColumnsError, match="no column for x"):
+        read(tmp_path, f"t_ms,a,y,q{'1' * 5000}", rows("0"))
+
+
+def test_buttons_that_are_not_as_many_as_the_samples_are_said(tmp_path: Path) -> None:
+    lines = [
+        f'{k},"[0,8,16]","[1,2,9]","[4,5,6]","[{buttons}]"' for k, buttons in enumerate(("0,1", "0,0,1", ""))
+    ]
+    recording = read(tmp_path, "trial,t_ms,x,y,buttons", lines)
+    assert recording.events.buttons.tolist() == [0, 0, 0, 0, 0, 1, 0, 0, 0]
+    assert "rows whose buttons are not as many as their samples, left aside: 1" in recording.notes
+
+
+@pytest.mark.parametrize("px", [(1.0,), (1.0, 2.0, 3.0)])
+def test_pixels_in_a_unit_are_one_number_or_two(px: tuple[float, ...]) -> None:
+    with pytest.raises(ParameterError, match="px_per_unit"):
+        Reading(px_per_unit=px)  # type: ignore[arg-type]
+
+
+def test_many_users_out_of_order_are_sorted_in_one_go(tmp_path: Path) -> None:
+    users = range(2000)
+    lines = [f"u{user},{8 * at},{at},{user}" for at in reversed(range(20)) for user in users]
+    begin = perf_counter()
+    recording = read(tmp_path, "user,t_ms,x,y", lines, Reading(sort=True))
+    assert perf_counter() - begin < 5, "a copy of all samples for each user takes 15 s"
+    assert recording.events.x.tolist() == [*range(20)] * 2000
+    assert recording.events.y.tolist() == [user for user in users for _ in range(20)]
+
+
+def test_a_table_without_rows_is_a_recording_without_trials(tmp_path: Path) -> None:
+    columns = {"user": pa.array([], pa.string())} | {
+        name: pa.array([], pa.float64()) for name in ("t_ms", "x", "y")
+    }
+    pq.write_table(pa.table(columns), tmp_path / "none.parquet")
+    assert not read_any(tmp_path / "none.parquet")[0].trials

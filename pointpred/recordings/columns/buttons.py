@@ -34,6 +34,8 @@ WORD = re.compile(
     f"{_DEVICE}*(?P<which>{_BUTTON}){_DEVICE}*((?P<up>{_UP})|(?P<down>{_DOWN}))?{_DEVICE}*(?P<last>{_BUTTON})"
 )
 """A device, its button and what happened to it, each of which may be missing."""
+LONGEST = 60
+"""A longer text is no word for buttons; matching takes time with the third power of the length."""
 RELEASE, GONE = re.compile(_RELEASE), re.compile(f"{_RELEASE}|leave|out")
 """What releases a button, and what else leaves none pressed."""
 YES, NO = ("true", "yes"), ("false", "no", "none", "")
@@ -54,7 +56,7 @@ def pressed(cell: str) -> float:
         word = _plain(cell)
     if word in (*YES, *NO):
         return float(word in YES)
-    found = WORD.fullmatch(word)
+    found = _match(word)
     if found is None:
         return float("nan")
     which = found["which"] or found["last"]
@@ -128,7 +130,7 @@ def _changes(column: Any, values: FloatArray) -> list[FloatArray]:
         told = empty.any() and values.any() and not values[~empty].all() and not _found(column)
         return [np.where(empty, np.nan, values) if told else values]
     codes, cells = codes_of(arrow_tables.words(column).fill_null(""))
-    found = [WORD.fullmatch(_plain(cell)) for cell in cells]
+    found = [_match(_plain(cell)) for cell in cells]
     downs = {one["down"] for one in found if one and one["down"]}
     if any(word.startswith("drag") for word in downs):
         return [values]
@@ -166,14 +168,17 @@ def _plain(cell: str) -> str:
     return re.sub(r"[\W_]+", "", cell.lower())
 
 
+def _match(word: str) -> re.Match[str] | None:
+    """What a word says of buttons."""
+    return WORD.fullmatch(word) if len(word) <= LONGEST else None
+
+
 def _found(column: Any) -> list[re.Match[str]]:
     """What the words of a column say of buttons."""
     if not arrow_tables.is_words(column):
         return []
     _, cells = codes_of(arrow_tables.words(column).fill_null(""))
-    return [
-        found for word in map(_plain, cells) if word not in (*YES, *NO) and (found := WORD.fullmatch(word))
-    ]
+    return [found for word in map(_plain, cells) if word not in (*YES, *NO) and (found := _match(word))]
 
 
 def _is_certain(column: Any) -> bool:

@@ -23,7 +23,7 @@ from pointpred.recordings.nested_records import open_cells
 from pointpred.recordings.reading import KEYS, NEEDED, Reading
 from pointpred.records import BoolTable
 
-NUMBERED = re.compile(r"(.*?\D)[\s_.-]?(\d+)")
+NUMBERED = re.compile(r"(.*?\D)[\s_.-]?(\d{1,9})")
 """The name of a column for one sample: of what, and which."""
 LEAST_SAMPLES, LEAST_SERIES = 4, len(NEEDED)
 

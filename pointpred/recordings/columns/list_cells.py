@@ -113,8 +113,8 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
     ``row_of``: the file's row of each row.
 
     A row without a list is counted in a note, one whose lists differ in length is a skip. Samples before the
-    first position, which some programs leave empty until the pointer moves, are left out and counted. A row
-    without a user belongs to the first user there is.
+    first position, which some programs leave empty until the pointer moves, are left out and counted, as are
+    buttons that are not as many as the samples. A row without a user belongs to the first user there is.
     """
     cells = {field: column.to_pylist() for field, column in fields.items()}
     count = len(cells["t"])
@@ -131,7 +131,7 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
     items: dict[str, list[Any]] = {field: [] for field in SERIES if field in cells}
     rows: list[int] = []
     skipped = []
-    empty = before = 0
+    empty = before = other = 0
     for row in range(count):
         some = {field: items_of(cells[field][row]) for field in items}
         sizes = [len(some[field]) for field in ("t", "x", "y")]
@@ -143,13 +143,15 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
         blank = next((at for at, position in positions if position not in NOTHING), sizes[0])
         before += blank
         empty += blank == sizes[0]
-        if len(some.get("buttons", [])) != sizes[0]:
+        if len(held := some.get("buttons", [])) != sizes[0]:
+            other += bool(held)
             some["buttons"] = [None] * sizes[0]
         for field, column in items.items():
             column += some[field][blank:]
         rows += [row] * (sizes[0] - blank)
     notes = [f"samples before the first position left out: {before}"] if before else []
     notes += [f"rows without lists of times and positions: {empty}"] if empty else []
+    notes += [f"rows whose buttons are not as many as their samples, left aside: {other}"] if other else []
     row_of_sample = np.array(rows, dtype=np.int64)
     user, trial = (codes_of(as_arrow(names)) if names else (row_of_sample, []) for names in (users, trials))
     return Opened(
@@ -163,4 +165,4 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
 
 
 def _word(cell: Any) -> str:
-    return "" if cell is None else str(cell).strip()
+    return "" if cell is None or cell != cell else str(cell).strip()
