@@ -254,7 +254,7 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
     usable = np.isfinite(table[:, :3]).all(axis=1)
     groups = Groups(np.full(len(table), -1, dtype=np.int64))
     methods: dict[str, None] = {}
-    restarts = 0
+    restarts, late = 0, list[int]()
     named = any(names)
     order = np.arange(len(table), dtype=np.int64)
     by_user = np.flatnonzero(usable)[np.argsort(codes[usable], kind="stable")]
@@ -271,7 +271,7 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
         begin = stream[0, 0]
         stream[:, 0] = (stream[:, 0] - begin) / samples.per_second
         ordered = in_order(stream[:, 0], reading.sort)
-        notes += ordered.notes(samples.row_of[mine])
+        late += samples.row_of[mine[ordered.late]].tolist()
         order[mine] = mine[ordered.order]
         stream, anew = stream[ordered.order], ordered.anew
         restarts += len(anew)
@@ -296,7 +296,9 @@ def _by_cutting(samples: Samples, reading: Reading) -> Groups:
                 groups.begins.append({"begins_s": float(since + begin / samples.per_second)})
                 number += 1
     samples.sort(order)
-    if samples.cut is None:
+    if late:
+        notes.append(f"rows out of order, sorted by time: {len(late)}, the first is row {min(late)}")
+    if samples.cut is None and methods:
         cuts = " or ".join(CUTS[method] for method in methods)
         count = "" if len(groups.keys) == 1 else f"; {len(groups.keys)} trials"
         notes.append(f"no column for trials: {cuts}{count}")
@@ -321,25 +323,27 @@ def _method(stream: FloatArray, parts: list[IntArray]) -> Cut:
 def without_restarts(samples: Samples, sort: bool) -> Codes:
     """The trial of each sample, with restarts of numbers separated, and a note on that.
 
-    If a trial of a user has several runs of rows, a usual column such as ``block`` that separates them is
-    joined to the trial. Without one, a run that begins before the end of the last one is a separate trial,
-    named ``trial (2)`` and so on, unless rows are to be sorted. Rows without a trial (empty text) stay so.
+    If a trial of a user has several runs of rows, or its time starts again, a usual column such as ``block``
+    that separates them is joined to the trial. Without one, a run that begins before the end of the last one
+    is a separate trial, named ``trial (2)`` and so on, unless rows are to be sorted. Rows without a trial
+    (empty text) stay so.
     """
     assert samples.trial is not None
     (user, _), trials = samples.users, samples.trial
     order = np.argsort(user, kind="stable")
     runs = _Runs(user, trials, order)
-    if runs.single:
-        return trials
-    clock = samples.table[order, 0]
     usual = parts_of_study(list(samples.columns))
+    clock = samples.table[order, 0]
+    if runs.single and not (usual and np.any(np.diff(clock)[np.diff(runs.key) == 0] < 0)):
+        return trials
     column = pa.DictionaryArray.from_arrays(pa.array(trials[0]), pa.array(trials[1], pa.string()))
     for names in (*combinations(usual, 1), *combinations(usual, 2)):
         joined = arrow_tables.join_columns(
             [*(samples.columns[name] for name in names), column.cast(pa.string())]
         )
         joint = codes_of(joined.fill_null(""))
-        if _separates(_Runs(user, joint, order), runs, clock):
+        apart = _Runs(user, joint, order)
+        if _separates(apart, runs, clock) and (not runs.single or len(apart.keys) > len(runs.keys)):
             samples.notes.append(f"trial numbers restart: {' and '.join(names)} joined to the trial")
             return joint
     return trials if sort else _split(samples, runs, clock, order)

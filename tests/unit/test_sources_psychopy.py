@@ -94,7 +94,9 @@ def test_a_file_that_names_nobody_is_one_person(tmp_path: Path) -> None:
     assert sorted(trial.user for trial in folder.trials) == ["anna", "ben"]
     assert sum("one user" in note for note in folder.notes) == 2
     named = written(tmp_path, TRACK | {"subject_id": "s4"}, TRACK | {"subject_id": ""}, name="x.csv")
-    assert [trial.user for trial in read_any(named)[0].trials] == ["s4", "s4"]
+    [recording] = read_any(named)
+    assert [trial.user for trial in recording.trials] == ["s4"]
+    assert "rows without user left out: 1" in recording.notes
 
 
 def test_conditions_are_kept_and_come_back(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -101,3 +102,41 @@ def test_columns_named_as_pointpreds_own_can_be_written_as_conditions(tmp_path: 
     again = read(write(recording, tmp_path / "again.csv")[0])
     assert trials(again) == trials(recording) == [("study", "1+1"), ("study", "2+1")]
     assert again.trials[1].condition == {"block": 2.0, "trial_column": 1.0, "dataset_column": "pilot"}
+
+
+def test_blocks_of_one_trial_each_are_told_apart(tmp_path: Path) -> None:
+    """Their trials all have the number 1 and follow each other."""
+    lines = ["block,trial,t_ms,x,y"]
+    lines += [f"{block},1,{16 * at},{block * at},{at}" for block in (1, 2, 3) for at in range(8)]
+    path = tmp_path / "study.csv"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    [recording] = read_any(path)
+    assert [trial.trial for trial in recording.trials] == ["1+1", "2+1", "3+1"]
+    assert recording.skipped == ()
+
+
+def test_a_late_sample_restarts_nothing(tmp_path: Path) -> None:
+    lines = ["block,trial,t_ms,x,y"]
+    lines += [f"1,{trial},{16 * (at ^ (at == 4))},{at},{at}" for trial in (1, 2) for at in range(1, 40)]
+    path = tmp_path / "study.csv"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    [recording] = read_any(path)
+    assert [trial.trial for trial in recording.trials] == ["1", "2"]
+
+
+def test_rows_of_lists_without_a_user_are_left_out_and_counted(tmp_path: Path) -> None:
+    path = tmp_path / "study.csv"
+    rows = [f'{user},"[0,16,32,48]","[1,2,3,4]","[5,6,7,9]"' for user in ("ann", "ann", "", "ben")]
+    path.write_text("\n".join(["user,t_ms,x,y", *rows]) + "\n", encoding="utf-8")
+    [recording] = read_any(path)
+    assert [trial.user for trial in recording.trials] == ["ann", "ann", "ben"]
+    assert "rows without user left out: 1" in recording.notes
+
+
+def test_many_short_lists_of_one_length_are_asked_about(tmp_path: Path) -> None:
+    path = tmp_path / "study.json"
+    rows = [[10.0 * trial + 0.016 * at for trial in range(3)] for at in range(40)]
+    document = {"t": rows, "x": [[at + trial for trial in range(3)] for at in range(40)], "y": rows}
+    path.write_text(json.dumps(document), encoding="utf-8")
+    [recording] = read_any(path, time_unit="s")
+    assert any("is a column a trial" in note for note in recording.notes)

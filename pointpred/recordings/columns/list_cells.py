@@ -22,6 +22,8 @@ LEAST_ITEMS = 3
 """Two numbers in a cell may be one with a decimal comma."""
 SERIES = ("t", "x", "y", "buttons")
 """The fields of which a cell may hold a list."""
+MOST_SHORT = 12
+"""With more lists, all of one length below half their number, rows and columns may be mixed up."""
 NOTHING = (("", ""), (None, None))
 """Values for missing positions."""
 WRAPPED = re.compile(r"np\.(?:float|int)\d+\(([^()]*)\)")
@@ -114,12 +116,12 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
 
     A row without a list is counted in a note, one whose lists differ in length is a skip. Samples before the
     first position, which some programs leave empty until the pointer moves, are left out and counted, as are
-    buttons that are not as many as the samples. A row without a user belongs to the first user there is.
+    buttons that are not as many as the samples, and rows without a user where others have one.
     """
     cells = {field: column.to_pylist() for field, column in fields.items()}
     count = len(cells["t"])
     named = [_word(cell) for cell in cells.get("user", [None] * count)]
-    users = [user or next(filter(None, named), one_user) for user in named]
+    users = [user or one_user for user in named] if not any(named) else named
     places = row_of.tolist()
     cells.setdefault("trial", [None] * count)
     trials = [_word(cell) or str(place) for place, cell in zip(places, cells["trial"], strict=True)]
@@ -131,8 +133,11 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
     items: dict[str, list[Any]] = {field: [] for field in SERIES if field in cells}
     rows: list[int] = []
     skipped = []
-    empty = before = other = 0
+    empty = before = other = nobody = 0
     for row in range(count):
+        if not users[row]:
+            nobody += 1
+            continue
         some = {field: items_of(cells[field][row]) for field in items}
         sizes = [len(some[field]) for field in ("t", "x", "y")]
         if len(set(sizes)) > 1:
@@ -150,9 +155,17 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
             column += some[field][blank:]
         rows += [row] * (sizes[0] - blank)
     notes = [f"samples before the first position left out: {before}"] if before else []
+    notes += [f"rows without user left out: {nobody}"] if nobody else []
     notes += [f"rows without lists of times and positions: {empty}"] if empty else []
     notes += [f"rows whose buttons are not as many as their samples, left aside: {other}"] if other else []
     row_of_sample = np.array(rows, dtype=np.int64)
+    lengths = np.bincount(row_of_sample, minlength=1)
+    lengths = lengths[lengths > 0]
+    if len(lengths) > MOST_SHORT and len(set(lengths.tolist())) == 1 and 2 * lengths[0] < len(lengths):
+        notes.append(
+            f"{len(lengths)} trials of {lengths[0]} samples each: is a column a trial, and a row a sample? "
+            "then turn the table"
+        )
     user, trial = (codes_of(as_arrow(names)) if names else (row_of_sample, []) for names in (users, trials))
     return Opened(
         {field: as_arrow(column) for field, column in items.items()},
