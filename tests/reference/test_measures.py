@@ -318,7 +318,11 @@ def test_throughput_as_the_circle_view_shows_it(circle: Recording, tmp_path: Pat
         shown.append(
             {
                 "sequence": {"block": block},
-                **{"from": source, "target": target, "start": start, "end": last, "hit": bool(hit)},
+                "from": source,
+                "target": target,
+                "start": start,
+                "end": last,
+                "hit": bool(hit),
             }
         )
         parts.append(EventColumns.of(*rows[40:, :3].T))  # no sample where the cursor rests
