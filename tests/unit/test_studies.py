@@ -33,7 +33,11 @@ from tests.studied import DESIGN, PAGE, movement, study_in, take_part
         ("movements = 4", "movements = 3", "a circle needs an odd number from 3"),
         ("widths_px = [200]", "widths_px = [20, 40]", "every width must be below every distance"),
         ("widths_px = [20, 20]", "widths_px = [20, 40]", "widths_px: 20.0 stands there twice"),
-        ('tasks = ["cicle"]', 'tasks = ["circle", "reciprocal"]', "tasks[0]: Invalid enum value 'cicle', expected one of circle, reciprocal"),
+        (
+            'tasks = ["cicle"]',
+            'tasks = ["circle", "reciprocal"]',
+            "tasks[0]: Invalid enum value 'cicle', expected one of circle, reciprocal",
+        ),
         ('when = "during"', 'when = "before"', "expected one of before, after"),
         ("low = 101", "low = 0", "questions: 'effort' has low 101 and high 100"),
         ("", 'kind = "number"', "questions: 'effort' has low or high, and needs kind = \"number\""),
