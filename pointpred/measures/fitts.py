@@ -26,7 +26,7 @@ NO_CONDITIONS = (
     *(*OUTCOMES, "trial", "from_", "start"),
     *("sequence", "movement", "attempt", "clicks", "lost_"),
 )
-"""Conditions that begin so are outcomes, numbers of trials, places and times; the last of ``pointpred study``."""
+"""Conditions that begin so are outcomes, numbers of trials, places and times; some of ``pointpred study``."""
 RESPONSE = "response_time_s"
 FACTORS = ("dataset", "user", "target_w")
 GROUP = (

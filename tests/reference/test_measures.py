@@ -316,7 +316,14 @@ def test_throughput_as_the_circle_view_shows_it(circle: Recording, tmp_path: Pat
         hit = hypot(rows[-1, 1] - target[0], rows[-1, 2] - target[1]) <= width / 2.0
         start, last = rows[0, :3].tolist(), rows[-1, :3].tolist()
         shown.append(
-            {"block": block, "from": source, "target": target, "start": start, "end": last, "hit": bool(hit)}
+            {
+                "sequence": {"block": block},
+                "from": source,
+                "target": target,
+                "start": start,
+                "end": last,
+                "hit": bool(hit),
+            }
         )
         parts.append(EventColumns.of(*rows[40:, :3].T))  # no sample where the cursor rests
         places = dict(
