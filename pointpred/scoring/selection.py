@@ -87,6 +87,8 @@ def levels_of(name: str, labels: Iterable[str]) -> list[str]:
     levels = sorted(set(labels), key=_place)
     if len(levels) > MOST_LEVELS:
         message = f"by: {name} has {len(levels)} values, at most {MOST_LEVELS} can be shown apart"
+        if name in (*OWN, *SCORED):
+            message += f" (a condition that the recording calls so is {name}_condition)"
         raise ParameterError(f"{message}; 'where' picks some trials", field="by", value=name)
     return levels
 

@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Sequence
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal, get_args, get_type_hints
 
 import msgspec
 from msgspec import Meta, Struct
@@ -15,7 +15,7 @@ from msgspec import Meta, Struct
 from pointpred.errors import ParameterError
 
 Task = Literal["circle", "reciprocal"]
-Name = Annotated[str, Meta(pattern=r"^[A-Za-z][A-Za-z0-9_-]{0,39}$")]
+Name = Annotated[str, Meta(pattern=r"^[A-Za-z][A-Za-z0-9_-]{0,39}\Z")]
 Words = Annotated[str, Meta(min_length=1, max_length=20_000)]
 Px = Annotated[float, Meta(ge=1.0, le=10_000.0)]
 Unknown = re.compile(r"contains unknown field `(.*?)`")
@@ -93,6 +93,20 @@ class Question(Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     high: float | None = None
     required: bool = True
 
+    def check(self) -> None:
+        """Raise ValueError where nobody could answer, or a field would have no effect."""
+        bounded = self.low is not None or self.high is not None
+        if self.choices and (self.kind == "number" or bounded):
+            raise ValueError(f"questions: {self.name!r} has choices, and is no number besides")
+        if bounded and self.kind != "number":
+            raise ValueError(f'questions: {self.name!r} has low or high, and needs kind = "number"')
+        if self.low is not None and self.high is not None and not self.low <= self.high:
+            raise ValueError(f"questions: {self.name!r} has low {self.low:g} and high {self.high:g}")
+        for choice in self.choices:
+            if choice != choice.strip():
+                raise ValueError(f"choices of {self.name!r}: {choice!r} begins or ends with a space")
+        _check_once(f"choices of {self.name!r}", self.choices)
+
     def refuse(self, answer: str) -> str | None:
         """Why this is no answer, ``None`` where it is one; an empty one leaves the question out."""
         if not answer:
@@ -134,6 +148,9 @@ class Design(Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     def __post_init__(self) -> None:
         for field in ("tasks", "distances_px", "widths_px"):
             _check_once(field, getattr(self, field))
+        for field in ("title", "consent", "instructions", "thanks"):
+            if not getattr(self, field).strip():
+                raise ValueError(f"{field}: expected words, received only spaces")
         _check_once("questions", [question.name for question in self.questions])
         if "circle" in self.tasks and (self.movements < 3 or self.movements % 2 == 0):
             raise ValueError(
@@ -152,15 +169,12 @@ class Design(Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
                 f"blocks: {movements} movements of each participant, expected at most {MOST_MOVEMENTS}"
             )
         for question in self.questions:
-            if question.choices and (question.kind == "number" or question.low is not None):
-                raise ValueError(f"questions: {question.name!r} has choices, and is no number besides")
-            _check_once(f"choices of {question.name!r}", question.choices)
+            question.check()
 
     @property
     def codes(self) -> list[str]:
-        """The participants: P01, P02, ..."""
-        digits = max(2, len(str(self.participants)))
-        return [f"P{number:0{digits}}" for number in range(1, self.participants + 1)]
+        """The participants: P01, P02, ...; how many there are changes none of the codes."""
+        return [f"P{number:02}" for number in range(1, self.participants + 1)]
 
 
 def _check_once(field: str, values: Sequence[object]) -> None:
@@ -188,9 +202,13 @@ def design_of(text: str) -> Design:
     except msgspec.ValidationError as error:
         words, _, place = str(error).partition(" - at `$")
         field = place.strip("`.")
+        where = Question if field.startswith("questions") else Design
         if (unknown := Unknown.search(words)) is not None:
-            names = (Question if field.startswith("questions") else Design).__struct_fields__
+            names = where.__struct_fields__
             near = get_close_matches(unknown[1], names, 1)
             advice = f"did you mean {near[0]}?" if near else f"known are {', '.join(names)}"
             words = f"there is no {unknown[1]}; {advice}"
+        elif words.startswith("Invalid enum value"):
+            chosen: Any = get_type_hints(where)[field.rpartition("].")[2].partition("[")[0]]
+            words += f", expected one of {', '.join(get_args(get_args(chosen)[0]) or get_args(chosen))}"
         raise ValueError(f"{field}: {words}" if field else words) from None

@@ -21,7 +21,7 @@ from datetime import UTC, datetime
 from functools import cached_property
 from itertools import count
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import msgspec
 import numpy as np
@@ -38,6 +38,7 @@ from pointpred.studies.design import Design, read_design
 from pointpred.studies.messages import Agreed, Answered, Message, Moved, PageAbout
 from pointpred.studies.plan import Sequence, plan_of
 
+Kind = TypeVar("Kind")
 FORMAT = "pointpred study"
 CLOCK = "seconds of the browser's clock"
 MOST_ATTEMPTS = 20
@@ -96,6 +97,13 @@ class Study:
         kept = self.folder / DESIGN
         if kept.exists():
             self._check_same(file, read_design(kept), kept)
+        known = set(self.design.codes)
+        for about in sorted(self.folder.glob(f"P*/{ABOUT}")):
+            if about.parent.name not in known:
+                raise ParameterError(
+                    f"{file}: participants: {about.parent.name} has taken part, and is not among "
+                    f"{self.design.participants}; raise it again, or delete {about.parent}"
+                )
 
     def _check_same(self, file: Path, kept: Design, place: Path) -> None:
         """Only the number of participants may differ once somebody has taken part, and only grow."""
@@ -125,7 +133,7 @@ class Study:
         """The secret link of each participant; made where there is none."""
         with self._lock:
             place, codes = self.folder / LINKS, self.design.codes
-            known = msgspec.json.decode(place.read_bytes(), type=dict[str, str]) if place.exists() else {}
+            known = _read(place, dict[str, str]) if place.exists() else {}
             links = known | {code: secrets.token_urlsafe(16) for code in codes if code not in known}
             if links != known:
                 prepare(self.folder)
@@ -197,7 +205,7 @@ class Participant:
     def about(self) -> About | None:
         """What is known of the participant, ``None`` before the consent."""
         try:
-            return msgspec.json.decode((self.folder / ABOUT).read_bytes(), type=About)
+            return _read(self.folder / ABOUT, About)
         except FileNotFoundError:
             return None
 
@@ -331,10 +339,17 @@ class Participant:
         target: tuple[float, float, float] | None,
         conditions: dict[str, str | float],
     ) -> None:
-        """Append a trial to the files of this process: samples first, so that one with a row is whole."""
-        if (files := self._files.get(stem)) is None:
-            about = about_of(origin, datetime.now(UTC))
-            files = SessionFiles(self.folder, f"{stem}-{self._free(stem)}", about)
+        """Append a trial to the files of this process: samples first, so that one with a row is whole.
+
+        Others follow where another process has begun files since, as the order of files is that of trials,
+        and where ours were deleted.
+        """
+        free = self._free(stem)
+        files = self._files.get(stem)
+        if files is None or files.name != f"{stem}-{free - 1}":
+            if files is not None:
+                files.close()
+            files = SessionFiles(self.folder, f"{stem}-{free}", about_of(origin, datetime.now(UTC)))
             self._files[stem] = files
             files.conditions = conditions
         files.append("samples", sample_rows(self.code, [(name, len(table))], table))
@@ -354,6 +369,9 @@ class Participant:
         opened, self._files = self._files, {}
         for files in opened.values():
             files.close()
+            samples = files.path_of("samples")
+            if samples.exists() and not samples.stat().st_size:  # the disk was full: there will be others
+                samples.unlink()
 
 
 def conditions_of(
@@ -388,6 +406,14 @@ def attempt_of(done: list[Done], following: tuple[int, int] | None) -> int:
     last = done[-1] if done else None
     again = last is not None and (last.sequence, last.movement) == following
     return last.attempt + 1 if last is not None and again else 1
+
+
+def _read(path: Path, kind: type[Kind]) -> Kind:
+    """A file of JSON; raises SourceError where it is damaged."""
+    try:
+        return msgspec.json.decode(path.read_bytes(), type=kind)
+    except msgspec.DecodeError as error:
+        raise SourceError(f"{path}: damaged: {error}") from error
 
 
 def _write(path: Path, content: bytes) -> None:

@@ -12,7 +12,7 @@ from starlette.routing import Route
 from pointpred.errors import ParameterError, SourceError
 from pointpred.studies.folder import Conflict, Participant
 from pointpred.studies.messages import MOST_BYTES, MOST_ROWS, Message, decode
-from pointpred_server.access import admits_origin, header, origin_advice
+from pointpred_server.access import admits_origin
 from pointpred_server.http_responses import error_response, json_response
 from pointpred_server.page import study_page
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from pointpred_server.service import Service
 
+FOREIGN = "pages of another site may not send here; a proxy in between must pass the Host of the page on"
 UNKNOWN = "this link belongs to no participant; ask who gave it to you for a new one"
 
 
@@ -47,7 +48,7 @@ async def _take(request: Request) -> Response:
     """Store what the page sends; the answer is how far the participant is then."""
     service: Service = request.app.state.service
     if not admits_origin(request.scope, service.settings.allow_origin):
-        return error_response("unauthorized", origin_advice(header(request.scope, b"origin")), 403)
+        return error_response("unauthorized", FOREIGN, 403)
     if (one := await _participant(request)) is None:
         return error_response("unauthorized", UNKNOWN, 404)
     body = bytearray()

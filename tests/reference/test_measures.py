@@ -377,6 +377,11 @@ def test_conditions_are_what_an_experiment_varies() -> None:
         "hit": [0.0, 1.0] * 8,
         "from_x": [0.0, 1.0] * 8,
         "phase": [None, "main"] * 8,
+        "sequence": [1, 1, 2, 2] * 4,  # of a study, as the next four
+        "movement": [1, 2] * 8,
+        "attempt": [1, 2] * 8,
+        "clicks": [1, 2] * 8,
+        "lost_samples": [0, 1] * 8,
     }
     assert conditions(pd.DataFrame(columns)) == ["width", "order"]
 

@@ -63,7 +63,9 @@ def test_a_link_reaches_its_participant_and_no_other(study: Study, served: Runni
 )
 def test_pages_of_others_are_refused(study: Study, served: Running, headers: dict[str, str]) -> None:
     url = f"{served.url}/v1/study/{study.links()['P01']}"
-    assert send(url, Agreed(PAGE), **headers).status_code == 403
+    refused = send(url, Agreed(PAGE), **headers)
+    assert refused.status_code == 403
+    assert "--allow-origin" not in refused.text  # which a study has not
     assert not study.participants["P01"].folder.exists()
 
 

@@ -17,10 +17,13 @@ from pointpred.studies.folder import Study
 from pointpred.studies.plan import plan_of
 from tests.server import browser, page_browser
 from tests.server.page_browser import Visitor
-from tests.server.study_people import FRAMES, Hand, Served, served
+from tests.server.study_people import FRAMES, GOAL, SHEET, Hand, Served, served
 from tests.studied import DESIGN
 
 pytestmark = browser.needed
+
+ANSWERED = "performance.getEntriesByType('resource').filter(({name}) => name.includes('/v1/study/')).length"
+"""How many requests of the page the service has answered."""
 
 
 @pytest.fixture
@@ -121,6 +124,26 @@ def test_sheets_work_by_keyboard_and_nothing_is_stored_without_consent(
     assert about.answers["hand"] in ("left", "right")
     assert about.pages[0].page.window == (1280.0, 720.0)
     assert visitor.complaints() == []
+
+
+def test_the_end_of_a_block_waits_for_the_service_and_a_break_for_its_end(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    design = tmp_path / "pointing.toml"
+    few = DESIGN.replace("[20, 40]", "[40]").replace('"circle", ', "").replace("break_s = 1", "break_s = 60")
+    design.write_text(few.replace("movements = 3", "movements = 2\nblocks = 2"))
+    with served(design) as service:
+        hand = Hand(visitor, service.links["P01"], 1)
+        hand.open()
+        hand.go_on(2)
+        visitor.wait(f"{ANSWERED} === 4")  # the state, the consent, the answers, the first movement
+        service.kill()
+        assert "not saved yet" in hand.until_trouble()  # the movement that was the last of the block
+        assert visitor.value(GOAL) is None
+        service.start()
+        visitor.wait(f"{SHEET} === 'A break'")
+        hand.open()
+        visitor.wait("document.querySelector('#sheet-form button')?.textContent.startsWith('Continue in')")
 
 
 def test_a_page_says_what_is_in_the_way(visitor: Visitor, service: Served) -> None:

@@ -14,7 +14,8 @@ from msgspec.structs import replace
 from typer.testing import CliRunner
 
 from pointpred.cli.app import app
-from pointpred.errors import ParameterError
+from pointpred.errors import ParameterError, SourceError
+from pointpred.recorder.files import SessionFiles
 from pointpred.recordings import read
 from pointpred.studies.design import TEMPLATE, design_of
 from pointpred.studies.export import export, status
@@ -32,7 +33,18 @@ from tests.studied import DESIGN, PAGE, movement, study_in, take_part
         ("movements = 4", "movements = 3", "a circle needs an odd number from 3"),
         ("widths_px = [200]", "widths_px = [20, 40]", "every width must be below every distance"),
         ("widths_px = [20, 20]", "widths_px = [20, 40]", "widths_px: 20.0 stands there twice"),
-        ('tasks = ["cicle"]', 'tasks = ["circle", "reciprocal"]', "tasks[0]: Invalid enum value 'cicle'"),
+        (
+            'tasks = ["cicle"]',
+            'tasks = ["circle", "reciprocal"]',
+            "tasks[0]: Invalid enum value 'cicle', expected one of circle, reciprocal",
+        ),
+        ('when = "during"', 'when = "before"', "expected one of before, after"),
+        ("low = 101", "low = 0", "questions: 'effort' has low 101 and high 100"),
+        ("", 'kind = "number"', "questions: 'effort' has low or high, and needs kind = \"number\""),
+        ('choices = [" left"]', 'choices = ["left", "right"]', "' left' begins or ends with a space"),
+        ('choices = ["1"]\nhigh = 3', 'choices = ["left", "right"]', "has choices, and is no number besides"),
+        ('consent = " "', 'consent = "I agree."', "consent: expected words"),
+        ('name = "a\\n"', 'name = "pointing"', "name: Expected `str` matching regex"),
         ('name = "../x"', 'name = "pointing"', "name: Expected `str` matching regex"),
         ("movements = 101\nblocks = 99", "movements = 3", "39996 movements of each participant"),
         ("title = ", 'title = "A study"', "at line"),
@@ -176,6 +188,55 @@ def test_a_design_may_not_change_once_somebody_has_begun(tmp_path: Path) -> None
     study_in(tmp_path, DESIGN.replace("participants = 3", "participants = 4"))
     with pytest.raises(ParameterError, match=r"widths_px has changed since the first participant began"):
         study_in(tmp_path, DESIGN.replace("[20, 40]", "[20, 41]"))
+
+
+def test_participants_keep_their_codes_when_they_grow_to_a_hundred(tmp_path: Path) -> None:
+    take_part(study_in(tmp_path).participants["P01"], 1)
+    grown = study_in(tmp_path, DESIGN.replace("participants = 3", "participants = 100"))
+    assert (grown.design.codes[0], grown.design.codes[-1]) == ("P01", "P100")
+    assert len(grown.participants["P01"].done()) == 1
+    take_part(grown.participants["P04"], 1)
+    with pytest.raises(ParameterError, match="P04 has taken part"):
+        study_in(tmp_path)
+
+
+def test_two_services_of_one_study_keep_the_order_of_movements(tmp_path: Path) -> None:
+    first, second = (study_in(tmp_path).participants["P01"] for _ in range(2))
+    first.take(Agreed(PAGE))
+    for i, one in enumerate((first, second, first, first)):
+        one.take(movement(one, t=1.0 + 2 * i))
+    assert [(done.sequence, done.movement) for done in first.done()] == [(1, 1), (1, 2), (1, 3), (2, 1)]
+    assert len(list(first.folder.glob("*_trials.csv"))) == 3
+
+
+def test_a_full_disk_leaves_no_files_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    one = study_in(tmp_path).participants["P01"]
+    take_part(one, 1)
+    one.close()
+    with monkeypatch.context() as full:
+        full.setattr(SessionFiles.__init__, "__defaults__", (_full,))
+        for _ in range(3):
+            with pytest.raises(SourceError, match="No space left"):
+                one.take(movement(one, t=9.0))
+    one.take(movement(one, t=9.0))
+    assert sorted(path.name for path in one.folder.glob("*_samples.csv")) == [
+        "P01-1_samples.csv",
+        "P01-2_samples.csv",
+    ]
+
+
+def _full(*_: object) -> int:
+    raise OSError(28, "No space left on device")
+
+
+@pytest.mark.parametrize("name", ["links.json", "P01/participant.json"])
+def test_a_damaged_file_is_named(tmp_path: Path, name: str) -> None:
+    study = study_in(tmp_path)
+    study.links()
+    take_part(study.participants["P01"], 1)
+    (study.folder / name).write_text("{")
+    with pytest.raises(SourceError, match=rf"{name}: damaged: "):
+        status(study_in(tmp_path))
 
 
 def test_deleting_leaves_nothing_and_the_link_no_longer_works(tmp_path: Path) -> None:

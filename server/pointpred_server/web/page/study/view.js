@@ -44,9 +44,10 @@ function extent({ places, width, height }) {
 
 /** Why nobody can point now; null where they can. @returns {string|null} */
 function obstacle() {
-  if (task === null || pauses) return null;
+  if (task === null) return null;
   if (trouble !== null)
     return `Your last movement is not saved yet: ${trouble}. Please wait, and leave this page open.`;
+  if (pauses) return null;
   const sizes = [canvas.clientWidth, canvas.clientHeight],
     needed = extent(task.sequence);
   if (needed.every((size, axis) => size <= sizes[axis])) return null;
@@ -71,7 +72,7 @@ function frame() {
     places: task.places,
     width: sequence.width,
     height: sequence.height,
-    current: task.done || why !== null ? null : task.current,
+    current: task.done || pauses || why !== null ? null : task.current,
     last: task.trials.at(-1) ?? null,
   });
   canvas.dataset.target = JSON.stringify(isOpen() ? { ...task.goal, running: task.running } : null);
@@ -101,7 +102,7 @@ async function save({ start, rows, hit, clicks, lost }) {
   }
 }
 
-/** Shows the task until a break or its end. @returns {Promise<"rest"|"done">} */
+/** Shows the task until a break or its end; the picture goes on until all is stored. @returns {Promise<"rest"|"done">} */
 function point() {
   part("sheet").hidden = true;
   part("task").hidden = false;
@@ -113,7 +114,6 @@ function point() {
     onFailure = reject;
   }).finally(() => {
     pauses = true;
-    loop.stop();
   });
 }
 
@@ -150,7 +150,9 @@ async function run() {
   } else await sender.send({ type: "page", page: await aboutPage() });
   study = await questions(study, "before");
   if (study.next !== null) {
-    await ask(study.title, study.instructions, { buttons: [study.stored ? "Continue" : "Start"] });
+    const [sequence, movement] = study.next;
+    const waitS = movement === 1 && study.plan[sequence - 1].rest ? study.break_s : 0; // a page opened again in a break
+    await ask(study.title, study.instructions, { buttons: [study.stored ? "Continue" : "Start"], waitS });
     study = await work(study);
   }
   await questions(study, "after");
@@ -165,6 +167,7 @@ async function work(study) {
   for (;;) {
     const end = await point();
     study = await settled(study);
+    loop.stop();
     if (study.next === null) break;
     task.resume(study.next);
     if (end === "rest") await ask("A break", "Rest your hand.", { buttons: ["Continue"], waitS: study.break_s });
@@ -189,7 +192,7 @@ async function begin() {
       ask("One moment…", `The service does not answer: ${String(error)}. Trying again.`);
       setTimeout(begin, AGAIN_MS);
     } else if (error.status === 409) {
-      await ask("This study goes on elsewhere", sentence(error.message), { buttons: ["Go on here"] });
+      await ask("This study goes on elsewhere", "It has been opened in another window or tab.", { buttons: ["Go on here"] });
       window.location.reload();
     } else ask("Something is wrong", sentence(error.message));
   }
