@@ -22,7 +22,7 @@ LEAST_SPREAD = 1e-6
 """A spread below this share of the distance is rounding, and no effective width."""
 LEAST_POINTS = 3
 """A line through two points explains everything."""
-NO_CONDITIONS = (*OUTCOMES, "trial", "from_", "start")
+NO_CONDITIONS = (*OUTCOMES, "trial", "sequence", "movement", "attempt", "from_", "start")
 """Conditions that begin so are outcomes, numbers of trials, places and times."""
 RESPONSE = "response_time_s"
 FACTORS = ("dataset", "user", "target_w")
