@@ -29,7 +29,10 @@ def plain(text: str) -> str:
 
 
 class PlainConsole(Console):
-    """A console that shows control characters instead of obeying them."""
+    """A console that shows text as it is: no markup, no names of emoji, control characters shown."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(markup=False, emoji=False, highlight=False, **options)
 
     def render_str(self, text: str, **options: Any) -> Text:
         """Render as rich does, with control characters shown."""
@@ -38,12 +41,12 @@ class PlainConsole(Console):
 
 def results() -> Console:
     """The console for results; plain and wide when it is not a terminal."""
-    return PlainConsole(width=None if sys.stdout.isatty() else WIDE, highlight=False)
+    return PlainConsole(width=None if sys.stdout.isatty() else WIDE)
 
 
 def remarks() -> Console:
     """The console for progress, remarks and errors."""
-    return PlainConsole(stderr=True, highlight=False, soft_wrap=True)
+    return PlainConsole(stderr=True, soft_wrap=True)
 
 
 def remark(text: str) -> None:

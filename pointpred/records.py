@@ -434,7 +434,7 @@ class EventColumns(Columns[PointerEvent]):
     def __init__(self, table: ArrayLike, begin: BoolArray | None = None) -> None:
         super().__init__(table)
         count = len(self.table)
-        self.begin = np.zeros(count, dtype=np.bool_) if begin is None else np.asarray(begin, np.bool_)
+        self.begin = np.zeros(count, np.bool_) if begin is None else np.ascontiguousarray(begin, np.bool_)
         if self.begin.shape != (count,):
             raise EventError(f"begin needs {count} rows, received shape {self.begin.shape}")
 

@@ -190,7 +190,7 @@ def load(name: str) -> Entry:
         else:
             entry = Entry(name, Predictor, title, package, make=predictor)
             entry = msgspec.structs.replace(entry, predictor=type(made(entry, {}, {}).predictor))
-    except Exception as error:  # whatever a foreign package raises
+    except (Exception, SystemExit) as error:  # whatever a foreign package raises
         why = f"{type(error).__name__}: {error}" if not isinstance(error, ParameterError) else error
         message = f"the predictor {name!r} of {package_of(found)} cannot be used: {why}"
         raise ParameterError(message, code="unknown_predictor", field="predictor", value=name) from error

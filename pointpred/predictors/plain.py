@@ -38,7 +38,11 @@ def step(s: movement.State, motion: TenFloats, held: Any) -> TenFloats:
         return m.t, *prediction_row(answer)[1:]
     if answer is None:
         return endpoint(m.t, np.nan, np.nan, movement.phase(s, m))
-    x, y = answer
+    try:
+        x, y = answer
+    except (TypeError, ValueError) as error:
+        expected = "expected None, a pair x, y in px or a Prediction"
+        raise TypeError(f"update answered {answer!r:.80}, {expected}") from error
     return endpoint(m.t, float(x), float(y), movement.phase(s, m))
 
 

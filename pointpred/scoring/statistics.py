@@ -18,7 +18,10 @@ from pointpred.scoring.results import AXIS_FRACTIONS, PredictorErrors, ScoredTri
 
 FIRST = ("distance", "width", "transfer", "ptf")
 """Factors of the thesis, tried before whatever else a recording knows; a name that begins so counts."""
-OUTCOMES = ("hit", "miss", "correct", "error", "clean", "end_", "duration", "onset", "t_", "begins")
+OUTCOMES = (
+    *("hit", "miss", "correct", "error", "clean", "end_", "duration", "onset", "t_", "begins"),
+    *("clicks", "lost_"),
+)
 """Conditions that begin so say how or when a trial went: what was measured is no cause of its error."""
 MOST_VALUES = 12
 """A number with more values than this is a measurement and no condition, unless its name is in FIRST."""

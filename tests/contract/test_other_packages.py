@@ -22,7 +22,7 @@ class Theirs(LinearPredictor):
     """As linear, of another package."""
 
 class Plain:
-    """The cursor's own position, moved."""
+    """The cursor's own position, moved [/right]:on:"""
     def __init__(self, right=0.0):
         self.right = right
     def reset(self):
@@ -35,6 +35,9 @@ def piped(cpi=None, degree=2):
 
 def made():
     return None
+
+def ends():
+    raise SystemExit
 '''
 POINTS = """
 [pointpred.predictors]
@@ -44,6 +47,7 @@ piped = theirs:piped
 hold = theirs:Theirs
 wrong = theirs:made
 gone = theirs:Gone
+ends = theirs:ends
 """
 ASK = """
 import json
@@ -110,7 +114,12 @@ def test_the_command_line_lists_checks_and_scores_a_predictor_of_another_package
     assert listed["laws"] == dict.fromkeys(LAWS)
     every, left = command("predictors", "--json")
     assert {"theirs", "plain", "piped"} <= {one["name"] for one in every["predictors"]}
-    assert (left.returncode, left.stderr.count("left out: ")) == (0, 2)
+    assert (left.returncode, left.stderr.count("left out: ")) == (0, 3)
+    shown = subprocess.run(
+        [sys.executable, "-m", "pointpred", "predictors", "plain"],
+        env=beside, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert "moved [/right]:on:" in shown.stdout
     names = "theirs,linear,plain:right=0"
     (scored,) = command("score", "--predictors", names, "--json", "-")[0]["sets"]
     hold, theirs, linear, plain = (one["time_averaged"] for one in scored["predictors"])
@@ -177,6 +186,11 @@ class Shared(Doubling):
         return motion.x + len(self.seen), motion.y
 
 
+class Wordy(Doubling):
+    def update(self, motion):
+        return "far"
+
+
 class Locked(Doubling):
     def __init__(self):
         self.locked = lambda: None
@@ -214,3 +228,7 @@ def test_what_is_refused_is_never_seen_and_a_frame_is_answered_as_its_events():
     later = EventColumns(seen.table + np.array([9, 0, 0, 0, 0, 0]))
     assert run(one, later).table.tobytes() == run(twin, later).table.tobytes()
     assert build("hold").predictor.joined
+
+
+def test_an_answer_that_is_none_says_what_was_expected():
+    assert "answered 'far', expected None, a pair" in check(plain(Wordy))[0].trouble

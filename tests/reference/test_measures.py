@@ -315,16 +315,8 @@ def test_throughput_as_the_circle_view_shows_it(circle: Recording, tmp_path: Pat
         rows, block, width = events.table[: end + 1], 1 + k // 12, 10.0
         hit = hypot(rows[-1, 1] - target[0], rows[-1, 2] - target[1]) <= width / 2.0
         start, last = rows[0, :3].tolist(), rows[-1, :3].tolist()
-        shown.append(
-            {
-                "sequence": {"block": block},
-                "from": source,
-                "target": target,
-                "start": start,
-                "end": last,
-                "hit": bool(hit),
-            }
-        )
+        sides = {"from": source, "target": target, "start": start, "end": last}
+        shown.append({"sequence": {"block": block}, **sides, "hit": bool(hit)})
         parts.append(EventColumns.of(*rows[40:, :3].T))  # no sample where the cursor rests
         places = dict(
             zip(("from_x", "from_y", "started_s", "start_x", "start_y"), (*source, *start), strict=True)
@@ -376,12 +368,12 @@ def test_conditions_are_what_an_experiment_varies() -> None:
         "score": list(range(16)),
         "hit": [0.0, 1.0] * 8,
         "from_x": [0.0, 1.0] * 8,
+        "movement": [0.0, 1.0] * 8,  # these and the next as a study names them
+        "sequence": [0.0, 1.0] * 8,
+        "attempt": [0.0, 1.0] * 8,
+        "clicks": [0.0, 1.0] * 8,
+        "lost_samples": [0.0, 1.0] * 8,
         "phase": [None, "main"] * 8,
-        "sequence": [1, 1, 2, 2] * 4,  # of a study, as the next four
-        "movement": [1, 2] * 8,
-        "attempt": [1, 2] * 8,
-        "clicks": [1, 2] * 8,
-        "lost_samples": [0, 1] * 8,
     }
     assert conditions(pd.DataFrame(columns)) == ["width", "order"]
 

@@ -38,6 +38,8 @@ def test_run_answers_in_a_frame_with_the_same_index_as_in_columns() -> None:
     assert np.array_equal(
         answers.drop(columns="phase").to_numpy(), np.delete(columns.table, 7, 1), equal_nan=True
     )
+    with pytest.raises(EventError, match="backwards"):
+        run(build(PIPELINE), SHORT.to_pandas().iloc[11::-1])
     assert answers["phase"].iloc[0] == "still"
     plain = frame.rename(columns={"t_s": "t", "x_px": "x", "y_px": "y"})[["t", "x", "y"]].iloc[:900]
     stream = run(build("linear"), EventColumns(SHORT.events.table[:900] * [1, 1, 1, np.nan, np.nan, 0]))

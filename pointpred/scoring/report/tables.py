@@ -53,7 +53,8 @@ def tables_of(summary: SetSummary, anova: AnovaSeries) -> dict[str, tuple[str, p
         {"trial": skip.trial, "person": skip.user, "row": skip.row, "reason": skip.reason}
         for skip in summary.skipped
     ]
-    made["left-out"] = ("Trials that were left out, and why", pd.DataFrame(left_out))
+    skipped = pd.DataFrame(left_out, columns=["trial", "person", "row", "reason"])
+    made["left-out"] = ("Trials that were left out, and why", skipped.astype({"row": "Int64"}))
     pairs = [
         {
             "first": one.first,

@@ -7,6 +7,7 @@ into parts, and memory does not grow with the number of trials.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from math import prod
 from sys import intern
 
 import msgspec
@@ -269,7 +270,7 @@ def columns_of(errors: PredictorErrors) -> FloatArray:
         (HITS, HITS_MADE, errors.hits),
     ):
         if claims is not None:
-            flat = claims.reshape(len(out), -1)
+            flat = claims.reshape(len(out), prod(claims.shape[1:]))  # there may be no trial: no -1
             out[:, held : held + flat.shape[1]] = np.nan_to_num(flat, nan=0.0)
             out[:, made : made + flat.shape[1]] = np.isfinite(flat)
     if errors.calibration is not None:

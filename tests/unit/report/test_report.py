@@ -4,6 +4,7 @@ from html.parser import HTMLParser
 from itertools import pairwise
 from xml.etree import ElementTree
 
+import msgspec
 import numpy as np
 import pandas as pd
 import pytest
@@ -12,13 +13,15 @@ from pointpred import build
 from pointpred import run as pipeline_run
 from pointpred.drawing import Picture, canvas, picture
 from pointpred.errors import ParameterError
-from pointpred.recording import Provenance, Recording, Trial
+from pointpred.recording import Provenance, Recording, Skip, Trial
 from pointpred.records import EventColumns
 from pointpred.scoring import score as run
 from pointpred.scoring.report import write_report
 from pointpred.scoring.report.figures import curves
 from pointpred.scoring.report.report import compared, highlighted
+from pointpred.scoring.report.tables import tables_of
 from pointpred.scoring.results import SetScore
+from pointpred.scoring.statistics import AnovaSeries
 from pointpred.scoring.summary import summarise
 from pointpred.scoring.summary.document import footnotes
 
@@ -239,6 +242,10 @@ def test_tables_hold_the_numbers_of_the_summary(paper):
         p.by_time[0.5].of_hold for p in summary.predictors if p.name == "kinematic"
     )
     assert pd.read_csv(folder / "lab_a" / "left-out.csv")["reason"].tolist() == ["has no events"]
+    skips = (Skip("1", "why", 4), Skip("2", "why"))
+    none = AnovaSeries((), 0, (), (), (), (), ())
+    rows = tables_of(msgspec.structs.replace(summary, skipped=skips), none)["left-out"][1]["row"]
+    assert rows.astype(str).tolist() == ["4", "<NA>"]
     people = pd.read_csv(folder / "lab_a" / "people.csv")
     assert len(people) == 4 * len(summary.predictors)
     terms = pd.read_csv(folder / "lab_a" / "anova.csv")
