@@ -112,8 +112,8 @@ def test_redundant_outputs(more: Any) -> None:
 def test_more_outputs_than_inputs_in_other_units(c: Any, time: str) -> None:
     """Of the many inverses of C F the same one is taken whatever the units of the outputs and states are.
 
-    In discrete time T A couples the two plain outputs one way only: there the user's units stay, and the gains
-    depend on them.
+    In discrete time T A couples the two plain outputs one way only: there the user's units stay, and the
+    gains depend on them.
     """
     x, y = np.array([1e4, 1e-3, 1.0]), np.array([1e5, 1e-4, 30.0])[: len(c)]
     first = 0.3 * A if time == "discrete" else A

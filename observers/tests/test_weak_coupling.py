@@ -43,7 +43,11 @@ def of_full_order(coupling: float) -> dict[str, float]:
 def of_reduced_order(coupling: float) -> dict[str, float]:
     design = o.design_reduced_order(axes(coupling), decay=2.0)
     bound = design.certificate.bound
-    return {"gain": float(np.abs(design.Upsilon).max()), "overshoot": bound.overshoot, "delta": bound.gains[0]}
+    return {
+        "gain": float(np.abs(design.Upsilon).max()),
+        "overshoot": bound.overshoot,
+        "delta": bound.gains[0],
+    }
 
 
 def of_regulator(coupling: float) -> dict[str, float]:
@@ -126,7 +130,7 @@ def test_a_design_is_within_a_factor_of_two_of_one_by_riccati(coupling: float) -
 
 @pytest.mark.parametrize(("mass", "length", "friction"), [(0.1, 0.5, 0.0), (0.2, 0.3, 0.0), (0.1, 0.5, 0.1)])
 def test_the_overshoot_of_a_cart_with_a_pole(mass: float, length: float, friction: float) -> None:
-    """Place and angle measured, the speeds by a reduced-order observer: 1.4e11 in units of a weak coupling."""
+    """Place and angle measured, the speeds by a reduced-order observer: up to 1.4e11 if balanced."""
     a = np.zeros((4, 4))
     a[0, 1] = a[2, 3] = 1.0
     a[1, 1:3] = -friction, -9.81 * mass
