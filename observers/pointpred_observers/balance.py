@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeVar
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
-from pointpred.errors import ParameterError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
 
+T = TypeVar("T")
+LITTLE = 0.1
+"""The logarithm by which a bound must be smaller in the user's units than in balanced ones to be taken."""
 STEPS_MOST = 200
+MUTUAL = float(np.log(1e-2))
+"""The logarithm of a product of entries there and back above which two parts are one."""
 STEP_MOST = 4.0
 """Largest change of the logarithm of an entry in one step."""
 
@@ -29,6 +36,12 @@ class Coordinates(msgspec.Struct, frozen=True):
     values: FloatArray
     arguments: FloatArray
     seconds: float
+
+    @property
+    def plain(self) -> Coordinates:
+        """The user's units, and this unit of time."""
+        ones = (np.ones(len(one)) for one in (self.states, self.outputs, self.values, self.arguments))
+        return Coordinates(*ones, self.seconds)
 
     def slopes(
         self, slopes: tuple[tuple[float, float], ...] | None
@@ -70,6 +83,29 @@ def form(matrix: Any, units: FloatArray, unit: float = 1.0) -> FloatArray:
     return entries
 
 
+def least_in_both(
+    units: Coordinates, posed: Callable[[Coordinates], T], size: Callable[[T], float] | None = None
+) -> T:
+    """What ``posed`` finds in balanced units, or in the user's where that is smaller by more than a little.
+
+    ``size`` is a logarithm; without it the user's units are tried only where the balanced ones fail. Raises
+    what ``posed`` raised in balanced units where both fail.
+    """
+    found, failures = [], []
+    for one in (units, units.plain):
+        try:
+            found.append(posed(one))
+        except (InfeasibleError, UndecidedError, CertificateError) as failure:
+            failures.append(failure)
+        if size is None and found:
+            break
+    if not found:
+        raise failures[0]
+    if size is None or size(found[0]) <= size(found[-1]) + LITTLE:
+        return found[0]
+    return found[-1]
+
+
 def balanced(
     drift: Any,
     *,
@@ -77,6 +113,7 @@ def balanced(
     driven: Any = None,
     shown: Any = None,
     inner: Any = None,
+    moved: Any = None,
     slopes: tuple[tuple[float, float], ...] | None = None,
     rates: tuple[float, ...] = (),
     time: str = "continuous",
@@ -92,6 +129,13 @@ def balanced(
     Saito) over all positive units. In the logarithms of the units it is convex and grows without bound in
     every direction that changes an entry, also for a reducible matrix, so the balanced entries are unique:
     the same whatever units were given. Units that no entry depends on stay as near to 1 as possible.
+
+    Only what needs a coupling is scaled by it. Each output has the states that it shows best, by the largest
+    entries in the user's units. An entry between states of different outputs counts only where these act on
+    each other, or where it lies above 1 otherwise: a weak coupling of two plants, each seen by its own
+    output, would else move their units apart by as much, and the gains with them. With one output, or none,
+    every entry counts. ``moved``, the matrix of inputs, does the same for a feedback; its own entries are not
+    balanced.
 
     In discrete time the unit of time is the step. There, and if ``plain``, f and its arguments keep theirs:
     theorems 3.3.2 and 3.2.3 weigh all components of f alike.
@@ -127,7 +171,14 @@ def balanced(
     entries.add(spread, value, argument)
     for one in rates:
         entries.rate(one, tick)
-    units = np.exp(entries.least())
+    parts = np.zeros(clock, np.int64)
+    if p:
+        parts = entries.parts(clock, [(y + i, x + j, c[i, j]) for i, j in np.argwhere(c)])
+    elif moved is not None:
+        b = _largest(moved, n, None)
+        # An input is not among the units: it counts as a node behind them.
+        parts = entries.parts(clock, [(clock + i, x + j, b[j, i]) for j, i in np.argwhere(b)], onward=True)
+    units = np.exp(entries.apart(parts))
     return Coordinates(
         units[x:y], units[y:value], units[value:argument], units[argument:clock], float(units[clock])
     )
@@ -140,6 +191,8 @@ class _Entries:
         self.units = units
         self.logs: list[float] = []
         self.rows: list[FloatArray] = []
+        self.places: list[tuple[int, int]] = []
+        """The units of its row and of its column, by entry."""
         self.fixed = slice(0, 0)
         """Units that stay 1."""
 
@@ -153,6 +206,7 @@ class _Entries:
                 on[clock] += 1.0
             on[self.fixed] = 0.0
             self.logs.append(float(np.log(sizes[i, j])))
+            self.places.append((row + int(i), column + int(j)))
             self.rows.append(on)
 
     def rate(self, value: float, clock: int | None) -> None:
@@ -160,11 +214,60 @@ class _Entries:
         if value > 0.0 and clock is not None:
             self.add(np.array([[value]]), 0, 0, clock)
 
-    def least(self) -> FloatArray:
-        """The logarithms of the units at the minimum, by damped Newton steps."""
-        if not self.rows:
+    def parts(
+        self, count: int, ends: list[tuple[int, int, float]], *, onward: bool = False
+    ) -> NDArray[np.int64]:
+        """For each of ``count`` units the number of the end that shows it best, 0 where none does.
+
+        ``ends``: the unit of an output (an input if ``onward``), that of a state, and the size of the entry.
+        Each end has the state of its largest entry; ends with the same state are one. From there the largest
+        entry that leads on is taken next, rates in units of the fastest.
+        """
+        rates, logs = np.array(self.rows).reshape(-1, self.units)[:, -1], np.array(self.logs)
+        fastest = logs[rates > 0.0].max(initial=-np.inf)
+        sizes = np.exp(np.where(rates > 0.0, logs - fastest, logs)).tolist()
+        labels = dict[int, int]()
+        for end in {one[0] for one in ends}:
+            state = max((one for one in ends if one[0] == end), key=lambda one: one[2])[1]
+            labels[end] = labels.setdefault(state, end + 1)
+        links = [(size, end, state) for end, state, size in ends]
+        for size, (row, column) in zip(sizes, self.places, strict=True):
+            links.append((size, column, row) if onward else (size, row, column))
+        links.sort(reverse=True)
+        while True:
+            onto = (one[1:] for one in links if one[1] in labels and one[2] not in labels)
+            against = (one[:0:-1] for one in links if one[2] in labels and one[1] not in labels)
+            found = next(onto, None) or next(against, None)
+            if found is None:
+                return np.array([labels.get(i, 0) for i in range(count)], np.int64)
+            labels[found[1]] = labels[found[0]]
+
+    def apart(self, parts: NDArray[np.int64]) -> FloatArray:
+        """The least logarithms, where an entry between two parts counts only if they need it.
+
+        They do if the largest entries one way and the other have a product that is not small, which no unit
+        changes, or if the entry lies above 1 without.
+        """
+        ends = [(int(parts[i]), int(parts[j])) for i, j in self.places]
+        kept = np.array([one == other for one, other in ends], bool)
+        matrix, start = np.array(self.rows).reshape(-1, self.units), np.array(self.logs)
+        logs = start + matrix @ self.least(kept)
+        largest = dict[tuple[int, int], float]()
+        for pair, size in zip(ends, logs, strict=True):
+            largest[pair] = max(float(size), largest.get(pair, -np.inf))
+        kept |= [largest[pair] + largest.get(pair[::-1], -np.inf) > MUTUAL for pair in ends]
+        while True:
+            units = self.least(kept)
+            above = ~kept & (start + matrix @ units > 0.0)
+            if not above.any():
+                return units
+            kept |= above
+
+    def least(self, kept: NDArray[np.bool_]) -> FloatArray:
+        """The logarithms of the units at the minimum over these entries, by damped Newton steps."""
+        if not kept.any():
             return np.zeros(self.units)
-        matrix, start = np.array(self.rows), np.array(self.logs)
+        matrix, start = np.array(self.rows)[kept], np.array(self.logs)[kept]
         _, sizes, turned = np.linalg.svd(matrix, full_matrices=False)
         moving = turned[sizes > 1e-9 * sizes[0]].T
         if not moving.size:  # no unit changes an entry, as with one state in discrete time

@@ -15,16 +15,17 @@ from pointpred_observers.matrices import TIMES, matrix, one_of, positive
 
 
 class ErrorBound(msgspec.Struct, frozen=True):
-    """abs(e(t)) <= ``overshoot`` decay(t) abs(e(0)) + sum of ``gains`` times the largest disturbances.
+    """abs(e(t)) <= ``overshoot`` decay(t) abs(e(0)) + sum of ``gains`` times the largest disturbances + rest.
 
     decay(t) = exp(-``rate`` t); ``rate`` in 1/s, or in 1/step for discrete time. ``disturbances`` names the
-    disturbance of each gain.
+    disturbance of each gain. ``rest`` is what remains without any, as of a steady state that is truncated.
     """
 
     overshoot: float
     rate: float
     gains: tuple[float, ...]
     disturbances: tuple[str, ...]
+    rest: float = 0.0
 
     def __call__(self, t: float, initial: float, **largest: float) -> float:
         """The bound at t for an initial error and the largest norm of each disturbance that is present.
@@ -45,7 +46,7 @@ class ErrorBound(msgspec.Struct, frozen=True):
             for name, gain in zip(self.disturbances, self.gains, strict=True)
             if name in largest
         )
-        return inf if initial == inf else self.overshoot * exp(-self.rate * t) * initial + forced
+        return inf if initial == inf else self.overshoot * exp(-self.rate * t) * initial + forced + self.rest
 
 
 def region(P: Any, J: FloatArray, domain: float, reach: FloatArray) -> tuple[float, float]:

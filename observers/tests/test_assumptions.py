@@ -200,6 +200,35 @@ def test_example_8_converges_too_slowly_at_rest_for_an_exponential_bound() -> No
         assumption_4_4_2(steady, region)
 
 
+@pytest.mark.parametrize(("force", "degree"), [(X1**3, 3), (sp.sin(X1), 1)])
+def test_the_residual_of_a_truncated_steady_state_is_a_disturbance(force: Any, degree: int) -> None:
+    """x1' = -x1 - x1^3 + x2: started on the series, x1 leaves it by what the residual makes of it."""
+    steady = interlaced(
+        SymbolicSystem((X1, X2), (-X1 - force + X2, -X2 + U), U, outputs=(X2,)),
+        OSCILLATOR,
+        1,
+        W1,
+        degree=degree,
+    )
+    assert not steady.exact
+    with pytest.raises(ParameterError, match="region needs w1"):
+        assumption_4_4_2(steady, {X1: (-0.8, 0.8)})
+    found = assumption_4_4_2(steady, {X1: (-0.8, 0.8), W1: (-1.0, 1.0), W2: (-1.0, 1.0)})
+    function = steady.function()
+    rows = sp.lambdify([X1, X2, U], steady.system.field)
+
+    def w(t: float) -> Any:
+        return np.array([np.cos(t), -np.sin(t)])
+
+    times = np.arange(0.0, 20.0, 0.5)
+    run = trajectory(lambda t, x: rows(*x, function(w(t))[2]), function(w(0.0))[:2], times, step_s=0.1)
+    errors = np.linalg.norm(run - function(w(times))[:2].T, axis=1)
+    assert np.abs(run[:, 0]).max() < 0.8
+    assert errors.max() > 1e-3
+    assert (errors <= [found.decay.bound(float(t), 0.0) for t in times]).all()
+    assert found.decay.bound.rest == found.residual * found.decay.bound.gains[0]
+
+
 def test_the_output_must_show_the_generator() -> None:
     x = sp.Symbol("x")
     system = SymbolicSystem((x,), (-x + U,), U, outputs=(x - W2 * 0,))

@@ -15,7 +15,7 @@ from pointpred_observers.balance import balanced, form, inward, outward
 
 def system(seed: int, sparse: float) -> dict[str, Any]:
     random = np.random.default_rng(seed)
-    n, p, k = int(random.integers(1, 7)), int(random.integers(1, 3)), int(random.integers(0, 3))
+    n, p, k = int(random.integers(1, 7)), 1, int(random.integers(0, 3))
     shapes = {"drift": (n, n), "seen": (p, n), "driven": (n, k), "shown": (p, k), "inner": (k, n)}
     return {
         name: random.standard_normal(shape) * (random.uniform(size=shape) > sparse)

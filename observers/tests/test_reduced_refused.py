@@ -37,7 +37,8 @@ REFUSED: list[tuple[Any, type, str]] = [
     ),
     (
         lambda: design_reduced_order(
-            Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, 1.0], [1.0, 0.0], "sin", C0=[1.0, 0.0])
+            Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, 1.0], [1.0, 0.0], "sin", C0=[1.0, 0.0]),
+            injection=False,
         ),
         InfeasibleError,
         "cannot hold for any Upsilon: its residual is 1; injection=True",

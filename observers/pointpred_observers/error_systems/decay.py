@@ -12,7 +12,7 @@ import numpy as np
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.balance import balanced, form, inward
+from pointpred_observers.balance import Coordinates, balanced, form, inward, least_in_both
 from pointpred_observers.bounds import ErrorBound, eigenvalues
 from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.inequalities.audit import answer_of_a_search
@@ -112,8 +112,17 @@ def certify_decay(
 
 
 def _certified(system: ErrorSystem, decay: float) -> DecayCertificate:
-    """The certificate in the user's units, from a problem in balanced ones."""
+    """The certificate of the smaller bound, from a problem in balanced units and from one in the user's."""
     units = balanced(system.A, driven=system.B, rates=(decay,), time=system.time)
+
+    def size(one: DecayCertificate) -> float:
+        return float(sum(np.log([one.bound.overshoot, *filter(None, one.bound.gains)])))
+
+    return least_in_both(units, partial(_posed, system, decay), size)
+
+
+def _posed(system: ErrorSystem, decay: float, units: Coordinates) -> DecayCertificate:
+    """The certificate in the user's units, from a problem in these."""
     x, t = units.states, units.seconds
     one = np.ones(system.B.shape[2])
     a = np.array([inward(each, x, x, t) for each in system.A])

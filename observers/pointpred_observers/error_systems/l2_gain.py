@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred_observers.balance import balanced, form, inward
+from pointpred_observers.balance import Coordinates, balanced, form, inward, least_in_both
 from pointpred_observers.error_systems.h_infinity import h_infinity
 from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.inequalities.audit import answer_of_a_search
@@ -97,7 +97,16 @@ def l2_gain(system: ErrorSystem) -> L2Gain:
         none = np.zeros((system.n, system.n))
         return L2Gain(0.0, 0.0, 0.0, system.names[worst], none, {}, system.domain)
     units = balanced(system.A, seen=system.C, driven=system.B, time=system.time)
-    x, t = units.states, units.seconds
+    return least_in_both(
+        units,
+        partial(_posed, system, (lower, frequency, system.names[worst])),
+        lambda found: float(np.log(found.upper)),
+    )
+
+
+def _posed(system: ErrorSystem, least: tuple[float, float, str], units: Coordinates) -> L2Gain:
+    """The gain from a problem in these units; ``least`` are what is known from below."""
+    (lower, frequency, corner), x, t = least, units.states, units.seconds
     plain = np.ones(system.B.shape[2])
     b = np.array([inward(one, x, plain, t) for one in system.B])
     size = float(np.abs(b).max())
@@ -113,4 +122,4 @@ def l2_gain(system: ErrorSystem) -> L2Gain:
     p = form(found["P"], x) * (lower / size) ** 2 * t
     with answer_of_a_search():
         margins = gain_inequalities(system, upper).check({"P": p})
-    return L2Gain(lower, upper, frequency, system.names[worst], p, margins, system.domain)
+    return L2Gain(lower, upper, frequency, corner, p, margins, system.domain)

@@ -73,6 +73,8 @@ class MatrixInequalities(Inequalities):
 
     Each inequality reads block(v) <= -margin s I, where v holds the matrices and s is the largest coefficient
     of the block; a matrix declared ``positive`` lies between I and kappa I, other numbers have no such bound.
+    A refusal is proved for P up to the condition number that its message names, in the units of the matrices
+    that were passed, which the designs and certificates of this package balance first.
 
     Parameters: ``margin`` relative to s, (0, 1e-2]; ``kappa`` the largest eigenvalue of such a matrix,
     [10, 1e14].
@@ -250,8 +252,8 @@ class MatrixInequalities(Inequalities):
         posed = released(problem, relaxing(problem))
         if extent >= ENTIRE:
             return InfeasibleError(
-                f"{self.name}: no choice satisfies the inequalities, proved for P with a condition number "
-                f"up to {extent:.1g}"
+                f"{self.name}: no choice satisfies the inequalities in the units of the search, proved for P "
+                f"with a condition number up to {extent:.1g}"
             )
         bound = largest_margin(posed, answer.multipliers, kappa, most=CAP)
         need = f"{self.name}: a margin of {self.margin:g} (relative) is needed"

@@ -114,7 +114,13 @@ def _gains(plant: Persidskii, decay: float, fixed: FloatArray | None) -> tuple[F
     used = (half > 0.0) & a1.any(axis=0)  # elsewhere f is linear, or has no effect
     drift, driven, inner = plant.A0 + a1 @ slope, a1[:, used], half[used, None] * plant.H[used]
     units = balanced(
-        drift, driven=driven, inner=inner, slopes=((0.0, 1.0),) * len(inner), rates=(decay,), time=plant.time
+        drift,
+        driven=driven,
+        inner=inner,
+        moved=plant.B,
+        slopes=((0.0, 1.0),) * len(inner),
+        rates=(decay,),
+        time=plant.time,
     )
     x, f, t = units.states, units.values, units.seconds
     b = inward(plant.B, x, np.ones(plant.m), t)

@@ -49,14 +49,14 @@ def design_reduced_order(
     Pi: Any = None,
     *,
     decay: float = 1.0,
-    injection: bool = False,
+    injection: bool = True,
 ) -> ReducedOrderDesign:
     """The reduced-order observer with Upsilon from the inequality, and its certificate.
 
-    Assumes y = C0 x and constant matrices. Without ``injection`` the equality J Z = H leaves only Upsilon =
+    Assumes y = C0 x and constant matrices. With ``injection`` the measured output enters f, every Upsilon is
+    allowed, and the problem is convex. Without, as in the thesis, the equality J Z = H leaves only Upsilon =
     U0 + N K, N the null space of H restricted to the unmeasured part, and P is block-diagonal there, which is
-    conservative: a search that fails proves nothing then. With ``injection`` the measured output enters f,
-    every Upsilon is allowed, and the problem is convex.
+    conservative: a search that fails proves nothing then.
 
     Continuous: the inequality of Theorem 3.3.1 with Xi = 2 ``decay`` P, linear in P, P Upsilon and W; of all
     Upsilon one with small Upsilon'P Upsilon. gamma is ``decay``, or, if none exists then, 1 % of it. The

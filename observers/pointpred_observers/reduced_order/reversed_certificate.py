@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from math import expm1
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import balanced, form, inward
+from pointpred_observers.balance import Coordinates, balanced, form, inward, least_in_both
 from pointpred_observers.bounds import least_ratio
 from pointpred_observers.detectability import vertices
 from pointpred_observers.eigenvalues import require_decay
@@ -251,8 +252,7 @@ def _solved(
     rates: tuple[float, float],
     near: dict[str, Any],
 ) -> tuple[dict[str, Any], dict[str, float], float]:
-    """Matrices and margins in the user's units, from a problem in balanced ones, and its gap."""
-    decay, gamma = rates
+    """Matrices, margins and the gap of the smaller bound, found in balanced units or in the user's."""
     units = balanced(
         [one.S0 for one in connections],
         driven=[one.S1 for one in connections],
@@ -261,7 +261,22 @@ def _solved(
         rates=rates,
         time=plant.time,
     )
-    x, t = units.states, units.seconds
+    return least_in_both(
+        units,
+        partial(_posed, connections, plant, rates, near),
+        lambda one: 0.5 * float(np.log(np.linalg.cond(one[0]["P"]))),
+    )
+
+
+def _posed(
+    connections: list[Connection],
+    plant: Persidskii,
+    rates: tuple[float, float],
+    near: dict[str, Any],
+    units: Coordinates,
+) -> tuple[dict[str, Any], dict[str, float], float]:
+    """Matrices and margins in the user's units, from a problem in these, and its gap."""
+    (decay, gamma), x, t = rates, units.states, units.seconds
     inner = [
         msgspec.structs.replace(
             one,

@@ -21,19 +21,24 @@ from pointpred_observers.triangular.system import SymbolicSteadyState
 
 TERMS_MOST = 8
 """Most different terms of the Jacobian: each doubles the number of corners."""
+RESIDUAL_PARTS = 256
+"""Parts of the box over which a residual is enclosed: a long expression, of which the size will do."""
 
 
 class AttractionCertificate(msgspec.Struct, frozen=True):
     """Both parts of Assumption 4.4.2: ``C`` of h(rho, pi) = C w, and the ``decay`` of x - pi(w), z - rho(w).
 
     ``terms``: the terms of the Jacobian that vary, with their bounds over the ``region``; the certificate
-    holds while the plant's state and its steady state stay in it.
+    holds while the plant's state, its steady state and w stay in it. ``residual``: the largest norm there of
+    what a truncated steady state leaves of its equations, 0 for an exact one; the rest of ``decay.bound`` is
+    what it makes of the error.
     """
 
     C: FloatArray
     decay: DecayCertificate
     terms: dict[str, tuple[float, float]]
     region: dict[str, tuple[float, float]]
+    residual: float = 0.0
 
 
 def assumption_4_4_2(
@@ -47,14 +52,15 @@ def assumption_4_4_2(
     1. h(rho(w), pi(w)) must be C w with (A, C) detectable. 2. Under u = l(w) two solutions of the plant
     approach each other, up to a disturbance d of its equations. By the mean value theorem their difference
     obeys the Jacobian somewhere in the box; each of its terms lies between its bounds over the box, so that
-    one quadratic function for all corners of these bounds is a proof. A refusal proves nothing unless it
-    names an eigenvalue at a point of the region.
+    one quadratic function for all corners of these bounds is a proof. The residuals of a steady state that is
+    not exact are a disturbance d that never ends: the bound holds the largest over the region. A refusal
+    proves nothing unless it names an eigenvalue at a point of the region.
 
-    Parameters: ``region`` of the states x and z and of the generator's w that the Jacobian contains, each
-    (low, high), by symbol or by name; not needed for a linear plant; ``decay`` in 1/s, > 0, by default a
-    fraction of the slowest corner's. Raises InfeasibleError naming the undetectable mode, or an eigenvalue
-    that does not decay and its corner; ParameterError for an output that is not C w, a missing bound or more
-    than 8 terms; what the solver raises.
+    Parameters: ``region`` of the states x and z and of the generator's w that the Jacobian or the residuals
+    contain, each (low, high), by symbol or by name; not needed for a linear plant; ``decay`` in 1/s, > 0, by
+    default a fraction of the slowest corner's. Raises InfeasibleError naming the undetectable mode, or an
+    eigenvalue that does not decay and its corner; ParameterError for an output that is not C w, a missing
+    bound or more than 8 terms; what the solver raises.
 
     Reference: Khalin 2022, Assumption 4.4.2; Lohmiller and Slotine 1998.
 
@@ -93,11 +99,16 @@ def assumption_4_4_2(
         found = certify_decay(errors, decay=decay)
     except ArithmeticError as failure:
         raise type(failure)(f"Assumption 4.4.2: {failure}") from failure
+    ends = [enclosure(one, box, RESIDUAL_PARTS) for one in steady.residuals if one != 0]
+    residual = float(np.linalg.norm([max(-low, high) for low, high in ends]))
+    rest = found.bound.gains[0] * residual
+    found = msgspec.structs.replace(found, bound=msgspec.structs.replace(found.bound, rest=rest))
     return AttractionCertificate(
         c,
         found,
         {str(term): pair for term, pair in ranges.items()},
         {str(one): pair for one, pair in box.items()},
+        residual,
     )
 
 

@@ -14,8 +14,10 @@ PARTS_MOST = 4096
 """Parts of the box, all axes together: more parts give a tighter enclosure."""
 
 
-def enclosure(expression: Any, box: Mapping[Any, tuple[float, float]]) -> tuple[float, float]:
-    """Bounds of the expression over the box, rounded outwards and tight up to the size of a part.
+def enclosure(
+    expression: Any, box: Mapping[Any, tuple[float, float]], parts: int = PARTS_MOST
+) -> tuple[float, float]:
+    """Bounds of the expression over the box, rounded outwards and tight up to the size of one of ``parts``.
 
     Raises ParameterError where the expression has no bounded enclosure or depends on other symbols.
 
@@ -33,7 +35,7 @@ def enclosure(expression: Any, box: Mapping[Any, tuple[float, float]]) -> tuple[
             f"region needs {', '.join(missing)}, which {expression} depends on", field="region"
         )
     enclose = interval_function(over, expression)
-    count = max(1, int(PARTS_MOST ** (1.0 / max(1, len(over)))))
+    count = max(1, int(parts ** (1.0 / max(1, len(over)))))
     low, high = inf, -inf
     for part in product(*(_parts(box[one], count) for one in over)):
         try:

@@ -184,15 +184,30 @@ class UnknownInputObserver:
             raise ParameterError("an estimate to start with is needed: call start(estimate) first")
         return self._running.update(sample)
 
+    def matrices(self, point: Point) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """N, Y and T of z' = N z + Y y + T b at a point, in the form that runs.
+
+        The reduced form where there is one, written for z; else the full form.
+        """
+        if not self.reducible:
+            return self._full(point)
+        onto = self._blind @ self._blind.T
+        inner = onto @ self.system.gamma(point)
+        return inner @ onto, -inner @ self.system.e(point), onto @ self.system.t(point, check=False)
+
     def rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
         """The rate of z in the full form; ``known`` is b(y, u).
 
         Outside the box the gains are those of its nearest point, without a proof.
         """
-        k, e = self.gains.at(self.box.nearest(point)), self.system.e(point)
-        n = self.system.gamma(point) - k @ self.system.c
-        rate: FloatArray = n @ z + self.system.t(point, check=False) @ known + (k - n @ e) @ y
+        n, seen, t = self._full(point)
+        rate: FloatArray = n @ z + t @ known + seen @ y
         return rate
+
+    def _full(self, point: Point) -> tuple[FloatArray, FloatArray, FloatArray]:
+        k = self.gains.at(self.box.nearest(point))
+        n = self.system.gamma(point) - k @ self.system.c
+        return n, k - n @ self.system.e(point), self.system.t(point, check=False)
 
     def onward(self, estimate: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
         """The next z of a discrete system, from the estimate x_hat = z - E y."""

@@ -50,6 +50,7 @@ class InputReconstruction:
         """Forget every interval."""
         self._d: FloatArray | None = None
         self._y, self._covariance = np.zeros(self.outputs), np.zeros((0, 0))
+        self._latest_inverse: tuple[bytes, FloatArray | None] = b"", None
 
     def fresh(self) -> Self:
         """The same parameters without memory."""
@@ -87,10 +88,9 @@ class InputReconstruction:
         """The estimate of the interval by itself, if the outputs that were measured determine d."""
         discrete = self.time == "discrete"
         seen = ~np.isnan(after) & (discrete | ~np.isnan(before))
-        weights = np.ones(self.outputs) if self.noise is None else 1.0 / self.noise
-        if not seen.any() or np.linalg.matrix_rank(g[seen], tol=SINGULAR * np.linalg.norm(g)) < g.shape[1]:
+        inverse = self._inverse(g, seen)
+        if inverse is None:
             return
-        inverse = np.linalg.pinv(g[seen] * weights[seen, None], rcond=SINGULAR) * weights[seen]
         moved = after if discrete else (after - before) / h
         self._d = np.asarray(inverse @ (moved - known)[seen], np.float64)
         if self.noise is None:
@@ -109,6 +109,18 @@ class InputReconstruction:
         # The end of the interval is not its middle: a random walk adds a third of its growth.
         own = 2.0 / h**2 * inverse @ variance @ inverse.T + np.diag(rate * h / 3.0)
         self._covariance = np.block([[variance, across], [across.T, own]])
+
+    def _inverse(self, g: FloatArray, seen: BoolArray) -> FloatArray | None:
+        """The weighted inverse of the rows of G that were measured, ``None`` if they do not determine d."""
+        # G is often constant, and the inverse is most of the cost.
+        same = g.tobytes() + seen.tobytes()
+        if same != self._latest_inverse[0]:
+            weights = np.ones(self.outputs) if self.noise is None else 1.0 / self.noise
+            size, inverse = SINGULAR * np.linalg.norm(g), None
+            if seen.any() and np.linalg.matrix_rank(g[seen], tol=size) == g.shape[1]:
+                inverse = np.linalg.pinv(g[seen] * weights[seen, None], rcond=SINGULAR) * weights[seen]
+            self._latest_inverse = same, inverse
+        return self._latest_inverse[1]
 
     def _discrete(self, known: FloatArray, g: FloatArray, after: FloatArray) -> None:
         assert self._d is not None
