@@ -192,7 +192,9 @@ async function begin() {
       ask("One moment…", `The service does not answer: ${String(error)}. Trying again.`);
       setTimeout(begin, AGAIN_MS);
     } else if (error.status === 409) {
-      await ask("This study goes on elsewhere", "It has been opened in another window or tab.", { buttons: ["Go on here"] });
+      await ask("This study goes on elsewhere", "It has been opened in another window or tab.", {
+        buttons: ["Go on here"],
+      });
       window.location.reload();
     } else ask("Something is wrong", sentence(error.message));
   }
