@@ -74,6 +74,10 @@ def measures(
         Path | None,
         typer.Option(metavar="FILE", help="Write the measures, a row a trial: .csv or .parquet."),
     ] = None,
+    where: Annotated[
+        str,
+        typer.Option(metavar="RULE", help="Measure only trials that fit, as 'phase != practice'."),
+    ] = "",
     by: Annotated[
         str | None,
         typer.Option(
@@ -104,6 +108,8 @@ def measures(
 
       pointpred measures *.sd3 --by A,Block --plot fitts.svg
 
+      pointpred measures study_samples.parquet --where 'phase != practice' --plot fitts.pdf
+
       pointpred measures my.csv --columns t=time,x=px,y=py,user=sid,trial=n --time-unit ms --out t.csv
     """
     check_targets({"--out": out, "--plot": plot, "--json": json}, files or (), force)
@@ -115,13 +121,18 @@ def measures(
         require("report", "--plot")
     from pointpred.measures import movements, table_of
     from pointpred.recordings.read_files import readable
+    from pointpred.scoring.selection import where_of
 
+    rule = where_of(where) if where else None
     known: list[tuple[str, bool, tuple[Skip, ...]]] = []
     reasons: Reasons = {}
 
     def measured() -> Iterator[tuple[str, Sequence[Any]]]:
         for recording in in_memory(files, reading, reasons) if files else _sample():
             found, skipped = movements(recording)
+            if rule is not None:
+                fits = rule.picked([one.trial for one in found]) if found else ()
+                found = [one for one, fit in zip(found, fits, strict=True) if fit]
             known.append((recording.name, recording.provenance.simulated, skipped))
             yield recording.name, found
 

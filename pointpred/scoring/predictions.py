@@ -100,10 +100,13 @@ class PredictedElsewhere(Pipeline):
         if wrong.size:
             at = float(rows[wrong[0]])
             near = float(t[np.abs(t - at).argmin()]) if len(t) else float("nan")
+            taken = abs(near - at) <= ROUNDING_S * 1.001
+            where = "which has its row already" if taken else f"where the nearest event is at {near!r} s"
             raise RecordingError(
-                f"{name}: {len(wrong)} of {len(rows)} rows of user, trial {key!r} are at no event's time, "
-                f"the first at t = {at!r} s, where the nearest event is at {near!r} s; times are those of "
-                "the recording, and an event has one row at most"
+                f"{name}: {len(wrong)} of {len(rows)} rows of user, trial {key!r} have no event of their "
+                "own, "
+                f"the first at t = {at!r} s, {where}; times are those of the recording, and an event has one "
+                "row at most"
             )
         return places
 

@@ -37,7 +37,7 @@ from pointpred.scoring.results import (
     WorstTrial,
     WorstTrials,
 )
-from pointpred.scoring.selection import Where, check_selection, counted, names_of, where_of
+from pointpred.scoring.selection import SCORED, Where, check_selection, counted, names_of, where_of
 from pointpred.scoring.statistics import EVERY_PAIR
 from pointpred.scoring.summary import FLOOR
 from pointpred.scoring.target_layouts import with_candidates
@@ -301,7 +301,11 @@ class Scoring(msgspec.Struct, frozen=True):
         names = names_of(one for trials in parts() for one in trials)
         masks = [self.where.mask(trials, names) for trials in parts()]
         if not any(mask.any() for mask in masks):
-            raise RecordingError(f"{name}: no trial that can be scored fits where {self.where.text}")
+            message = f"{name}: no trial that can be scored fits where {self.where.text}"
+            for own in SCORED:
+                if f"{own}_condition" in names and own in self.where.text:
+                    message += f". {own} is what scoring measures; the recording's own is {own}_condition"
+            raise RecordingError(message)
         return masks
 
     def about_masks(self, masks: Sequence[BoolArray] | None) -> tuple[str, ...]:

@@ -125,6 +125,17 @@ class Where(msgspec.Struct, frozen=True):
         rule = _Parser(self.text, names).rule
         return np.array([rule(known_of(one)) for one in trials], dtype=np.bool_)
 
+    def picked(self, trials: Sequence[Trial]) -> BoolArray:
+        """Which recorded trials count, by what the recording alone says of them. Raises ParameterError."""
+        said = [
+            {name: getattr(one, name) for name in OWN if getattr(one, name) not in (None, "")}
+            | {f"{name}_condition" if name in OWN else name: value for name, value in one.condition.items()}
+            for one in trials
+        ]
+        known = [{name: value for name, value in one.items() if value == value} for one in said]
+        rule = _Parser(self.text, list(dict.fromkeys((*OWN, *(name for one in said for name in one))))).rule
+        return np.array([rule(one) for one in known], dtype=np.bool_)
+
 
 def where_of(text: str) -> Where:
     """A rule, its grammar checked; raises ParameterError.

@@ -354,6 +354,9 @@ def test_the_table_agrees_with_pandas_where_pandas_can_tell(circle: Recording, t
     whole = table["initiation_time_s"] + table["movement_time_s"]
     assert table["response_time_s"].to_numpy() == pytest.approx(whole.to_numpy(), **EXACT)
     assert (table["dwell_time_s"] < table["movement_time_s"]).all()
+    for peak in ("peak_speed", "peak_acceleration"):
+        share = table[f"{peak}_time_s"] / table["movement_time_s"]
+        assert table[f"{peak}_share"].to_numpy() == pytest.approx(share.to_numpy(), **EXACT)
     ids = [log2(a / w + 1.0) for a, w in zip(table["target_distance_px"], table["target_w"], strict=True)]
     assert table["id_bits"].to_list() == pytest.approx(ids, **EXACT)
 

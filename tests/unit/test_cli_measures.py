@@ -123,3 +123,15 @@ def test_nothing_measured_is_a_failure_with_reasons(command: Any, tmp_path: Path
     assert left.code == 1
     assert json.loads(left.out)["unread"][0]["file"].endswith("bad.csv")
     assert "no trial could be measured" in left.err
+
+
+def test_practice_is_left_out_where_asked(command: Any, tmp_path: Path) -> None:
+    out = tmp_path / "all.csv"
+    every = json.loads(command("measures", "sample", "--json", "-").out)["sets"][0]["trials"]
+    left = command("measures", "sample", "--where", "distance_mm == 75", "--out", out, "--json", "-")
+    found = json.loads(left.out)["sets"][0]["trials"]
+    assert 0 < found < every
+    assert set(pd.read_csv(out)["distance_mm"]) == {75.0}
+    wrong = command("measures", "sample", "--where", "distance_m == 75")
+    assert wrong.code == 2
+    assert "did you mean distance_mm" in wrong.err

@@ -111,8 +111,10 @@ def first(column: str, value: float) -> pd.DataFrame:
 
 WRONG = {
     "1 of 1 trials are not in the recording.*there are such as": changed(trial="99"),
-    "50 of 50 rows of user, trial .* no event's time": changed(t_s=TABLE["t_s"].iloc[:50] + 5e-4),
-    "2 of 100 rows|50 of 100 rows": pd.concat([TABLE.iloc[:50]] * 2),
+    "50 of 50 rows of user, trial .* no event of their own.*the nearest event is at": changed(
+        t_s=TABLE["t_s"].iloc[:50] + 5e-4
+    ),
+    "50 of 100 rows .*which has its row already": pd.concat([TABLE.iloc[:50]] * 2),
     "no row is of this set": changed(dataset="another"),
     "no column trial": TABLE.drop(columns="trial"),
     "no column x or x_px": TABLE.drop(columns="x_px"),

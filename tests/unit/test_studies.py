@@ -81,7 +81,9 @@ def test_orders_are_the_participants_own_and_the_same_again() -> None:
         chosen = replace(design, order=order, blocks=2, practice_blocks=1)
         plans = [plan_of(chosen, i) for i in range(4)]
         assert plans == [plan_of(chosen, i) for i in range(4)]
-        assert len({str([(one.task, one.width) for one in plan]) for plan in plans}) > 2
+        orders = [[(one.task, one.width) for one in plan] for plan in plans]
+        assert len(set(map(str, orders))) > 2
+        assert orders[0][:4] != orders[0][4:8] != orders[0][8:]
         assert [(one.phase, one.block) for one in plans[0][::4]] == [
             ("practice", 1),
             ("test", 1),
@@ -147,6 +149,8 @@ def test_what_follows_a_miss(tmp_path: Path, on_error: str, places: list[tuple[i
         one.take(movement(one, hit=i % 2 == 1, t=1.0 + 2 * i))
     assert [(done.sequence, done.movement) for done in one.done()] == places
     assert [done.attempt for done in one.done()] == ([1, 2, 1, 2] if on_error == "repeat" else [1] * 4)
+    following = [one.next([replace(one.done()[-1], hit=0, attempt=n)]) for n in (19, 20)]
+    assert following == ([(1, 2), (1, 3)] if on_error == "repeat" else [(2, 2)] * 2)
 
 
 def test_a_restart_goes_on_and_a_cut_movement_is_made_again(tmp_path: Path) -> None:
