@@ -40,8 +40,9 @@ class Coordinates(msgspec.Struct, frozen=True):
     @property
     def plain(self) -> Coordinates:
         """The user's units, and this unit of time."""
-        ones = (np.ones(len(one)) for one in (self.states, self.outputs, self.values, self.arguments))
-        return Coordinates(*ones, self.seconds)
+        given = (self.states, self.outputs, self.values, self.arguments)
+        states, outputs, values, arguments = (np.ones(len(one)) for one in given)
+        return Coordinates(states, outputs, values, arguments, self.seconds)
 
     def slopes(
         self, slopes: tuple[tuple[float, float], ...] | None
