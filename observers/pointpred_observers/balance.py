@@ -40,8 +40,8 @@ class Coordinates(msgspec.Struct, frozen=True):
     @property
     def plain(self) -> Coordinates:
         """The user's units, and this unit of time."""
-        own = (self.states, self.outputs, self.values, self.arguments)
-        states, outputs, values, arguments = (np.ones(len(one)) for one in own)
+        given = (self.states, self.outputs, self.values, self.arguments)
+        states, outputs, values, arguments = (np.ones(len(one)) for one in given)
         return Coordinates(states, outputs, values, arguments, self.seconds)
 
     def slopes(
@@ -256,7 +256,8 @@ class _Entries:
         largest = dict[tuple[int, int], float]()
         for pair, size in zip(ends, logs, strict=True):
             largest[pair] = max(float(size), largest.get(pair, -np.inf))
-        kept |= [largest[pair] + largest.get(pair[::-1], -np.inf) > MUTUAL for pair in ends]
+        mutual = [largest[pair] + largest.get(pair[::-1], -np.inf) > MUTUAL for pair in ends]
+        kept |= np.array(mutual, dtype=np.bool_)
         while True:
             units = self.least(kept)
             above = ~kept & (start + matrix @ units > 0.0)

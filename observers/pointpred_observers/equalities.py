@@ -28,15 +28,19 @@ def share_of_terms(
 
     Parameters: ``residual`` (rows, columns); ``terms`` of the same shape, the sums of the absolute values of
     the terms before they cancel; ``rounding`` of the same shape, by default that of the terms in ``units``
-    (columns,). NaN where an entry is not finite.
+    (columns,). NaN where an entry, or one of its terms, is not finite.
 
     >>> share_of_terms(np.array([[0.0, 4e-7]]), np.array([[1e7, 4e-7]]))
     1.0
     >>> share_of_terms(np.array([[1e-16, 0.0], [0.0, 1e-17]]), np.array([[1e-16, 2.0], [4.0, 3.0]]))
     0.0
+    >>> share_of_terms(np.array([[1.0]]), np.array([[np.inf]]))
+    nan
     """
     if not residual.size:
         return 0.0
+    if not np.isfinite(terms).all():
+        return np.nan
     left = np.abs(residual)
     beside = row_rounding(terms, units) if rounding is None else rounding
     return float((np.where(left <= beside, 0.0, left) / or_one(terms)).max())

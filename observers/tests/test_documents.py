@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from copy import copy
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given
@@ -106,6 +108,39 @@ def test_a_loaded_observer_runs_to_the_same_bits(name: str) -> None:
         o.simulate(plant, one, times=np.arange(0.0, 0.5, 0.01), noise=0.1) for one in (design, again)
     )
     assert first.estimate.tobytes() == second.estimate.tobytes()
+
+
+@pytest.mark.parametrize("name", ["reduced order", "full order", "regulator", "interlaced"])
+def test_an_audit_refuses_a_bound_that_the_matrices_do_not_prove(name: str) -> None:
+    design = kept.design(name)
+    replace = msgspec.structs.replace
+    if name == "full order":
+        false = replace(design, bound=replace(design.bound, gains=(0.1, 0.1, 0.1)))
+    elif name == "regulator":
+        proof = design.feedback.certificate
+        proof = replace(proof, bound=replace(proof.bound, overshoot=0.5))
+        false = replace(design, feedback=replace(design.feedback, certificate=proof))
+    elif name == "interlaced":
+        false = copy(design)
+        false.certificate = replace(design.certificate, overshoot=1.0)
+    else:
+        bound = replace(design.certificate.bound, overshoot=0.5)
+        false = replace(design, certificate=replace(design.certificate, bound=bound))
+    assert o.audit(design)
+    with pytest.raises(CertificateError, match="the design carries the bound ErrorBound"):
+        o.audit(false)
+
+
+def test_a_pi_that_overflows_proves_nothing() -> None:
+    text = json.loads(encoded(kept.design("servo")))
+    text["equations"]["Pi"][0][0] = 1e308
+    with pytest.raises((CertificateError, ParameterError)):
+        decoded(json.dumps(text))
+
+
+def test_a_full_order_observer_returns_the_state_once() -> None:
+    assert o.observer_stage(kept.design("full order")).update(0.0, None).shape == (2,)
+    assert o.observer_stage(kept.design("driven")).update(0.0, None).shape == (3,)
 
 
 def test_symbols_come_back_as_the_same_expressions() -> None:

@@ -133,6 +133,16 @@ def test_what_is_no_system_is_refused() -> None:
         SymbolicGenerator((W1,), (1 + W1,))
     with pytest.raises(ParameterError, match="generator must be linear"):
         SymbolicGenerator((W1,), (W1**2,)).matrix()
+    for field, grows in (
+        ((W1 + W2, W2 - W1), "the eigenvalue 1[+-]1j grows"),
+        ((W2, W1**3), None),  # the linear part alone proves nothing
+        ((W2, 0 * W1), "the eigenvalue 0 is multiple, and a motion of it grows with t"),
+    ):
+        if grows is None:
+            SymbolicGenerator((W1, W2), field)
+            continue
+        with pytest.raises(ParameterError, match=rf"neutrally stable \(Assumption 1\.3\.1\): .*{grows}"):
+            SymbolicGenerator((W1, W2), field)
     for wrong in (sp.nan, sp.oo, sp.I, "3 +", [1], float("nan")):
         with pytest.raises(ParameterError, match=r"needs a(n| finite real) expression, received"):
             SymbolicSystem((X[0],), (wrong,), U)

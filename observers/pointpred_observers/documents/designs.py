@@ -9,6 +9,7 @@ import numpy as np
 
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.records import FloatArray
+from pointpred_observers.bounds import ErrorBound
 from pointpred_observers.documents.entries import (
     Document,
     Functions,
@@ -41,8 +42,8 @@ from pointpred_observers.reduced_order.reversed_connection import (
     InvariantObserver,
     invariant_observer,
 )
+from pointpred_observers.triangular.interlaced_certificate import InterlacedCertificate, theorem_4_4_1
 from pointpred_observers.triangular.interlaced_certificate import certificate as interlaced_certificate
-from pointpred_observers.triangular.interlaced_certificate import theorem_4_4_1
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
 from pointpred_observers.unknown_input.corners import CornerSystem
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
@@ -351,6 +352,17 @@ def margins_of(thing: Any) -> dict[str, float]:
         return {"(27c)": thing.certificate.margin}
     proof = getattr(thing, "certificate", thing)
     return dict(getattr(proof, "margins", {}))
+
+
+def bounds_of(thing: Any) -> list[ErrorBound]:
+    """The bounds of the error that a design carries; none for what has no such bound."""
+    if isinstance(thing, RegulatorDesign):
+        return [thing.observer.bound, thing.feedback.certificate.bound]
+    proof = getattr(thing, "certificate", thing)
+    if isinstance(proof, InterlacedCertificate):
+        return [ErrorBound(proof.overshoot, proof.rate, (proof.noise_gain,), ("noise",))]
+    bound = getattr(proof, "bound", None)
+    return [bound] if isinstance(bound, ErrorBound) else []
 
 
 def _plain(values: dict[str, Any]) -> Values:

@@ -11,12 +11,14 @@ import numpy as np
 
 from pointpred.errors import CertificateError, ParameterError, PointpredError
 from pointpred.files import write_whole
+from pointpred_observers.bounds import ErrorBound
 from pointpred_observers.documents.designs import (
     InterlacedDocument,
     ObserverDocument,
     ReducedOrderDocument,
     RegulatorDocument,
     UnknownInputDocument,
+    bounds_of,
     margins_of,
 )
 from pointpred_observers.documents.entries import Document, Functions
@@ -31,6 +33,7 @@ from pointpred_observers.documents.symbolic_plants import (
     SymbolicGeneratorDocument,
     SymbolicPlantDocument,
 )
+from pointpred_observers.equalities import TOLERANCE
 from pointpred_observers.interconnected.design import ObserverDesign
 from pointpred_observers.interconnected.generator import Generator
 from pointpred_observers.interconnected.regulator import RegulatorDesign
@@ -145,9 +148,9 @@ def decoded(text: bytes | str, *, functions: Functions | None = None, name: str 
 def audit(design: Any) -> dict[str, float]:
     """Every inequality and equality of a design checked again: how far each inequality holds.
 
-    Assumes nothing of the bounds and margins that the design carries: they are computed from its matrices,
-    its ``gap`` is not checked. Raises CertificateError naming the inequality that fails, InfeasibleError for
-    an equality, ParameterError for what is no design.
+    Margins are computed from the matrices, and so is the bound, which may not exceed what the design claims;
+    its ``gap`` is not checked. Raises CertificateError naming the inequality that fails, or the bound that
+    the matrices do not prove; InfeasibleError for an equality, ParameterError for what is no design.
 
     >>> from pointpred_observers import Persidskii, design_full_order
     >>> design = design_full_order(Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0]))
@@ -165,7 +168,9 @@ def audit(design: Any) -> dict[str, float]:
                 # A system of functions need not have matrices at the corners, which a document needs.
                 margins = margins_of(design.audited())
             else:
-                margins = margins_of(_document(design).made(functions))
+                again = _document(design).made(functions)
+                margins = margins_of(again)
+                _require_bounds(bounds_of(design), bounds_of(again))
     except (np.linalg.LinAlgError, OverflowError) as failure:
         raise CertificateError("the design's numbers are too large or too small to compute with") from failure
     if not margins:
@@ -173,6 +178,19 @@ def audit(design: Any) -> dict[str, float]:
             f"an audit needs a design with a certificate, received {type(design).__name__}", field="design"
         )
     return margins
+
+
+def _require_bounds(claimed: list[ErrorBound], proved: list[ErrorBound]) -> None:
+    """Raise CertificateError where a claimed bound is smaller than the one that is proved."""
+    for one, other in zip(claimed, proved, strict=True):
+        sizes = one.overshoot, 1.0 / one.rate, one.rest, *one.gains
+        least = other.overshoot, 1.0 / other.rate, other.rest, *other.gains
+        if len(sizes) != len(least) or not all(
+            size >= proof * (1.0 - TOLERANCE) for size, proof in zip(sizes, least, strict=True)
+        ):
+            raise CertificateError(
+                f"the design carries the bound {one}, its matrices prove {other}", field="bound"
+            )
 
 
 def _document(thing: Any) -> Document:

@@ -43,6 +43,13 @@ class ObserverDesign(msgspec.Struct, frozen=True):
     Pi: FloatArray
     gap: float = np.inf
 
+    @property
+    def full_order(self) -> bool:
+        """Whether the generator is the plant itself, as ``design_full_order`` has it, so that w is x."""
+        plant, g = self.plant, self.generator
+        same = self.Pi.shape == (plant.n, plant.n) and np.array_equal(self.Pi, np.eye(plant.n))
+        return bool(same and not plant.m and np.array_equal(g.S0, plant.A0) and np.array_equal(g.E, plant.Q))
+
     def region(self, reach: Any) -> tuple[float, float]:
         """The region of validity, if abs(Jw) stays within ``reach`` >= 0 (one, or r) on the true trajectory.
 

@@ -244,6 +244,7 @@ class PersidskiiObserver(CompiledStage):
 def observer_stage(design: ObserverDesign, **settings: Any) -> PersidskiiObserver:
     """Observer (3.5) of a design: inputs are Y, then rho; it returns w^, then x^ = Pi w^ of (3.7).
 
+    For a full-order design, whose w is x, it returns x^ alone.
     A missing output is replaced by the one of the estimate, C0 Pi w + C1 f(Jw): no correction.
     """
     design = instance("design", design, ObserverDesign)
@@ -254,7 +255,7 @@ def observer_stage(design: ObserverDesign, **settings: Any) -> PersidskiiObserve
         plant.H @ design.Pi,
         np.hstack([g.G + m, g.E]),
         plant.f,
-        R0=np.vstack([np.eye(g.q), design.Pi]),
+        R0=np.eye(g.q) if design.full_order else np.vstack([np.eye(g.q), design.Pi]),
         missing=MissingInputs.expected(plant.C0 @ design.Pi, plant.C1, plant.p + g.E.shape[1], plant.time),
         time=plant.time,
         **settings,

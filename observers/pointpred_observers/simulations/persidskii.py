@@ -69,7 +69,7 @@ def _without_feedback(
 
 def observed(design: ObserverDesign, plant: Any, setting: Setting) -> Simulation:
     """An observer of the plant's own state, or of that of the generator which drives the plant."""
-    if not _is_copy(design):
+    if not design.full_order:
         return _driven(design, plant, setting)
     known = design.plant
     one = as_plant(plant)
@@ -80,7 +80,7 @@ def observed(design: ObserverDesign, plant: Any, setting: Setting) -> Simulation
     state, inputs, outputs = _open_loop(one, setting, times)
     first = setting.begin(one.n, "estimate", 0.0)
     stage = observer_stage(design, start=first)
-    answers = _walked(stage, times, outputs, inputs)[:, one.n :]
+    answers = _walked(stage, times, outputs, inputs)
     bound = np.zeros(0)
     if setting.silent and np.isinf(known.domain) and _same(one, known):
         error = float(np.linalg.norm(first - state[0]))
@@ -193,13 +193,6 @@ def _too_far(times: FloatArray) -> ParameterError:
         "which is that fast: they must lie closer together, or the design needs less decay",
         field="times",
     )
-
-
-def _is_copy(design: ObserverDesign) -> bool:
-    """Whether the generator is the plant itself, as ``design_full_order`` has it."""
-    plant, g = design.plant, design.generator
-    same = design.Pi.shape == (plant.n, plant.n) and np.array_equal(design.Pi, np.eye(plant.n))
-    return bool(same and not plant.m and np.array_equal(g.S0, plant.A0) and np.array_equal(g.E, plant.Q))
 
 
 def _generator(g: Fitted, j: FloatArray) -> Generator:

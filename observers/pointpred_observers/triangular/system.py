@@ -10,10 +10,13 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
+from pointpred_observers.eigenvalues import number_text
 from pointpred_observers.matrices import listed
 from pointpred_observers.triangular.polynomials import exact, symbolic
 from pointpred_observers.triangular.power_series import Free
 
+BESIDE = 1e-5
+"""An eigenvalue within this of another, or of the imaginary axis, relative to the matrix, counts as there."""
 HIGHEST_DEGREE = 15
 """Highest degree of a series; the number of terms sets this limit."""
 SHORTENED_MOST = 400
@@ -22,6 +25,10 @@ SHORTENED_MOST = 400
 
 class SymbolicGenerator:
     """The generator that drives a system: w' = s(w), (1.7).
+
+    Assumption 1.3.1 needs it neutrally stable. Refused is what the linear part of s at 0 shows to be
+    unstable, where it has numbers: an eigenvalue right of 0, or, for a linear s, a motion that grows with t.
+    That motions return, so that none decays, is not checked.
 
     Parameters: ``states`` w as symbols, ``field`` s as expressions in them with s(0) = 0; floats are read as
     the decimals they print. Raises ParameterError.
@@ -38,6 +45,34 @@ class SymbolicGenerator:
         for w, s in zip(self.states, self.field, strict=True):
             if (rest := symbolic().simplify(s.subs(at_rest))) != 0:
                 raise ParameterError(f"{w}' must be zero at the origin, received {rest}")
+        jacobian = symbolic().Matrix(self.field).jacobian(self.states)
+        rest = jacobian.subs(at_rest)
+        if rest.is_symbolic() or not all(one.is_finite for one in rest):
+            return
+        self._require_neutral(np.array(rest.tolist(), np.float64), linear=not jacobian.free_symbols)
+
+    def _require_neutral(self, a: FloatArray, *, linear: bool) -> None:
+        """Raise ParameterError for a linear part with which w = 0 is not neutrally stable."""
+        size = float(np.linalg.norm(a, 2)) or 1.0
+        values = np.linalg.eigvals(a)
+        for one in values:
+            # A defective eigenvalue is computed to a root of its digits only.
+            if one.real > BESIDE * size:
+                raise ParameterError(
+                    "a generator must be neutrally stable (Assumption 1.3.1): a motion of the eigenvalue "
+                    f"{number_text(complex(one))} grows",
+                    field="field",
+                )
+            if one.real < -BESIDE * size:
+                continue
+            pencil = (one * np.eye(len(a)) - a) / size
+            alike = int((np.abs(values - one) <= BESIDE * size).sum())
+            if linear and len(a) - np.linalg.matrix_rank(pencil, tol=BESIDE) < alike:
+                raise ParameterError(
+                    "a generator must be neutrally stable (Assumption 1.3.1): the eigenvalue "
+                    f"{number_text(complex(one))} is multiple, and a motion of it grows with t",
+                    field="field",
+                )
 
     def along(self, expression: Any) -> Any:
         """The derivative of a function of w along w' = s(w)."""

@@ -42,8 +42,9 @@ def scheduled(name: str, given: Any) -> Scheduled:
 class TakagiSugeno:
     """A matrix that depends on scheduling variables, as a convex combination of constant ones.
 
-    Exact on the whole box for matrices that are affine in each variable on its own; others are refused,
-    because a proof at the vertices would not cover them.
+    Exact on the whole box for matrices that are affine in each variable on its own: a proof at the vertices
+    covers no others. ``of`` compares a function with the model in the middle and at random points of the box,
+    and refuses one that differs there; one that differs elsewhere only is not noticed.
 
     M(p) = sum_i mu_i(p) M_i, M_i the value at vertex i, mu_i the weights of the box.
 
