@@ -20,7 +20,7 @@ NAME = "DataFrame"
 
 @contextmanager
 def file_of_frame(frame: Any) -> Iterator[Path]:
-    """A Parquet file of the columns, without the index, for as long as it is read; errors name no file.
+    """A Parquet file of the columns, for as long as it is read; errors name no file. Named indices are columns.
 
     ``begin`` is left out: it says where trials begin, which their names do. Raises RecordingError for cells
     that no table holds.
@@ -28,7 +28,8 @@ def file_of_frame(frame: Any) -> Iterator[Path]:
     with TemporaryDirectory() as folder:
         file = Path(folder, f"{NAME}.parquet")
         try:
-            plain = frame.drop(columns="begin", errors="ignore")
+            named = [name for name in frame.index.names if name is not None]
+            plain = (frame.reset_index(named) if named else frame).drop(columns="begin", errors="ignore")
             pq.write_table(pa.Table.from_pandas(plain, preserve_index=False), file)
         except (pa.ArrowException, TypeError, ValueError) as error:
             raise RecordingError(f"{NAME}: {error}") from error

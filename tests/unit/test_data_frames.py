@@ -75,3 +75,12 @@ def test_what_a_notebook_prints_is_short_and_tab_completion_knows_the_columns() 
     assert "cpi=2000.0" in repr(pipeline)
     assert {"t", "buttons", "begin", "to_pandas"} <= set(dir(SHORT.events))
     assert "remaining_s" in dir(run(pipeline, SHORT.events))
+
+
+def test_a_named_index_is_a_column() -> None:
+    frame = sample().part(0, 4).to_pandas()
+    [plain] = read_any(frame)
+    [indexed] = read_any(frame.set_index(["user", "trial"]))
+    assert [(one.user, one.trial) for one in indexed.trials] == [
+        (one.user, one.trial) for one in plain.trials
+    ]
