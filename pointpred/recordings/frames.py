@@ -20,7 +20,7 @@ NAME = "DataFrame"
 
 @contextmanager
 def file_of_frame(frame: Any) -> Iterator[Path]:
-    """A Parquet file of the columns, for as long as it is read; errors name no file. Named indices are columns.
+    """A Parquet file of the columns and named indices, for as long as it is read; errors name no file.
 
     ``begin`` is left out: it says where trials begin, which their names do. Raises RecordingError for cells
     that no table holds.
