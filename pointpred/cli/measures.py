@@ -132,7 +132,9 @@ def measures(
             found, skipped = movements(recording)
             if rule is not None:
                 fits = rule.picked([one.trial for one in found]) if found else ()
-                found = [one for one, fit in zip(found, fits, strict=True) if fit]
+                picked = [one for one, fit in zip(found, fits, strict=True) if fit]
+                remark(f"{recording.name}: {rule.about(len(picked), len(found))}")
+                found = picked
             known.append((recording.name, recording.provenance.simulated, skipped))
             yield recording.name, found
 

@@ -313,7 +313,7 @@ class Scoring(msgspec.Struct, frozen=True):
         if self.where is None or masks is None:
             return ()
         kept, every = sum(int(mask.sum()) for mask in masks), sum(map(len, masks))
-        return (f"{kept} of {every} trials count: where {self.where.text}",)
+        return (self.where.about(kept, every),)
 
     def _build(self, name: str, spelled: str, settings: Mapping[str, Any]) -> Pipeline:
         """A pipeline by its name in the registry and what is set behind it."""

@@ -136,6 +136,12 @@ class Where(msgspec.Struct, frozen=True):
         rule = _Parser(self.text, list(dict.fromkeys((*OWN, *(name for one in said for name in one))))).rule
         return np.array([rule(one) for one in known], dtype=np.bool_)
 
+    def about(self, kept: int, every: int) -> str:
+        """What it picked, in words."""
+        if kept == every:
+            return f"all {every} trials count, the rule leaves none out: where {self.text}"
+        return f"{kept} of {every} trials count: where {self.text}"
+
 
 def where_of(text: str) -> Where:
     """A rule, its grammar checked; raises ParameterError.
