@@ -256,8 +256,8 @@ class _Entries:
         largest = dict[tuple[int, int], float]()
         for pair, size in zip(ends, logs, strict=True):
             largest[pair] = max(float(size), largest.get(pair, -np.inf))
-        mutual = [largest[pair] + largest.get(pair[::-1], -np.inf) > MUTUAL for pair in ends]
-        kept |= np.array(mutual, dtype=np.bool_)
+        both = [largest[pair] + largest.get(pair[::-1], -np.inf) > MUTUAL for pair in ends]
+        kept |= np.array(both, bool)
         while True:
             units = self.least(kept)
             above = ~kept & (start + matrix @ units > 0.0)

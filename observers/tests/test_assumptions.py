@@ -214,10 +214,10 @@ def test_the_residual_of_a_truncated_steady_state_is_a_disturbance(force: Any, d
     with pytest.raises(ParameterError, match="region needs w1"):
         assumption_4_4_2(steady, {X1: (-0.8, 0.8)})
     found = assumption_4_4_2(steady, {X1: (-0.8, 0.8), W1: (-1.0, 1.0), W2: (-1.0, 1.0)})
-    function = steady.function()
+    function: Any = steady.function()
     rows = sp.lambdify([X1, X2, U], steady.system.field)
 
-    def w(t: float) -> Any:
+    def w(t: Any) -> Any:
         return np.array([np.cos(t), -np.sin(t)])
 
     times = np.arange(0.0, 20.0, 0.5)

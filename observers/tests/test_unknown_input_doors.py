@@ -274,7 +274,8 @@ def test_a_slow_plant_takes_as_many_steps_as_a_fast_one(monkeypatch: pytest.Monk
     """The same plant in other units of time: the same number of rates between two samples."""
     counts, integrated = [], running._integrated
     for unit in (1.0, 1e-5):
-        observer, called = slow(unit), []
+        observer = slow(unit)
+        called: list[int] = []
 
         def counted(rate: Any, *rest: Any, c: Any = called) -> Any:
             return integrated(lambda z, s: (c.append(0), rate(z, s))[1], *rest)

@@ -54,7 +54,7 @@ def of_regulator(coupling: float) -> dict[str, float]:
     design = o.design_regulator(axes(coupling), decay=2.0)
     feedback = design.feedback
     return {
-        "G": float(np.abs(design.regulator.G).max()),
+        "G": float(np.abs(design.observer.gain).max()),
         "L0": float(np.abs(feedback.L0).max()),
         "observer": design.observer.bound.overshoot,
         "feedback": feedback.certificate.bound.overshoot,

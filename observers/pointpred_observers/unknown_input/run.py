@@ -43,6 +43,8 @@ class _Measured(msgspec.Struct, frozen=True):
     y: FloatArray
     known: FloatArray
     schedule: Schedule
+    whole: bool
+    """Whether no output is missing."""
 
 
 class UnknownInputEstimate(msgspec.Struct, frozen=True):
@@ -181,11 +183,11 @@ class RunningUnknownInputObserver:
         """Consume one sample; a refused one changes nothing."""
         sample = self._checked(given)
         old, system, y = self._last, self.design.system, sample.y
-        bridged = bool(np.isnan(y).any())
+        bridged = not sample.whole
         if old is None:
             seen = ~np.isnan(y)
             x = self.start + np.linalg.pinv(system.c[seen]) @ (y - system.c @ self.start)[seen]
-        elif bridged or np.isnan(old.y).any():
+        elif bridged or not old.whole:
             x, bridged = self._bridged(self._x, old, sample), True
         elif (resting := self._resting(old, sample)) is not None:
             return resting
@@ -314,7 +316,8 @@ class RunningUnknownInputObserver:
             )
         outputs, states = self.design.system.c.shape
         y = np.full(outputs, np.nan) if sample.y is None else sample.y
-        if np.shape(y) != (outputs,) or np.isinf(y).any():
+        whole = np.shape(y) == (outputs,) and bool(np.isfinite(y).all())
+        if not whole and (np.shape(y) != (outputs,) or np.isinf(y).any()):
             raise EventError(
                 f"y needs {outputs} finite numbers, NaN for a missing one, received {sample.y!r:.80}",
                 field="y",
@@ -336,7 +339,11 @@ class RunningUnknownInputObserver:
                 value=sample.t,
             )
         return _Measured(
-            sample.t, np.asarray(y, np.float64), np.asarray(sample.known, np.float64), sample.schedule
+            sample.t,
+            np.asarray(y, np.float64),
+            np.asarray(sample.known, np.float64),
+            sample.schedule,
+            whole,
         )
 
 
