@@ -29,7 +29,7 @@ def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     """Results go to a terminal of 80 columns, wherever they really go."""
 
     def narrow() -> console.Console:
-        return console.PlainConsole(width=COLUMNS, highlight=False, force_terminal=True, color_system=None)
+        return console.PlainConsole(width=COLUMNS, force_terminal=True, color_system=None)
 
     for name, module in list(sys.modules.items()):
         if name.startswith(("pointpred.cli.", "pointpred.console")) and hasattr(module, "results"):

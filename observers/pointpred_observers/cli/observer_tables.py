@@ -160,7 +160,7 @@ def _tables(design: Any, one: DesignDocument, *, stored: bool = False) -> list[T
         table = Table(box=None, pad_edge=False)
         table.add_column(ABOUT.get(part, "proved of the error"))
         table.add_column("", justify="right")
-        table.add_row(f"decays at least at [{unit}]".replace("[", "\\["), f"{bound.rate:.6g}")
+        table.add_row(f"decays at least at [{unit}]", f"{bound.rate:.6g}")
         table.add_row("overshoot at most", f"{bound.overshoot:.4g}")
         for name, gain in bound.gains.items():
             table.add_row(f"gain of {DISTURBANCES.get(name, name)} at most", f"{gain:.4g}")
