@@ -177,7 +177,7 @@ def test_an_unplugged_pen_is_lifted_and_begins_anew(testbed: Testbed, tmp_path: 
             time.sleep(0.1)  # what waits in the node is gone with it
         plugged.unplug()
         again = mice.plug(testbed, PEN, 1)
-        time.sleep(1.0)
+        time.sleep(3.0)  # until a busy machine has opened it
         for x, y in numbers(32767)[3:]:
             again.send(pen(x, y))
             time.sleep(STEP_S)

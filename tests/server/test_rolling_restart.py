@@ -292,9 +292,8 @@ def report(name: str, clients: list[Client]) -> None:
         )
 
 
-@pytest.mark.parametrize(
-    ("name", "tls"), [KINDS[0], pytest.param("haproxy", True, marks=[*KINDS[2].marks, pytest.mark.slow])]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "tls"), [KINDS[0], KINDS[2]])
 def test_no_client_is_lost_when_a_service_is_killed_or_both_restart_one_by_one(
     name: str, tls: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
