@@ -113,3 +113,10 @@ def test_what_a_device_says_of_itself_may_be_damaged(tmp_path: Path, text: str) 
 def test_a_file_without_devices_is_refused(tmp_path: Path) -> None:
     with pytest.raises(RecordingError, match="no devices"):
         libinput.read(written(tmp_path, MOUSE[: MOUSE.index("- evdev")]))
+
+
+def test_a_device_that_is_no_yaml_list_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "mouse.yml"
+    path.write_text("libinput:\ndevices:\n---\n", encoding="utf-8")
+    with pytest.raises(RecordingError, match="no YAML in the device from line 3"):
+        libinput.read(path)

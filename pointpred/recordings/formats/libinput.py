@@ -87,7 +87,7 @@ def _about(path: Path, index: int, lines: Iterable[Line]) -> tuple[str, EvdevAbo
             raise RecordingError(f"{path}: no events: in the {MOST_ABOUT} characters from line {first} on")
     try:
         device = yaml.load(text, Loader=LOADER)[0]
-    except (yaml.YAMLError, ValueError, TypeError, KeyError, RecursionError) as error:
+    except (yaml.YAMLError, ValueError, TypeError, LookupError, RecursionError) as error:
         words = " ".join(str(error).split())
         raise RecordingError(f"{path}: no YAML in the device from line {first} on: {words}") from error
     said = device.get("evdev") if isinstance(device, dict) else None
