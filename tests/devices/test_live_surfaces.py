@@ -176,8 +176,9 @@ def test_an_unplugged_pen_is_lifted_and_begins_anew(testbed: Testbed, tmp_path: 
             plugged.send(pen(x, y, tip=True))
             time.sleep(0.1)  # what waits in the node is gone with it
         plugged.unplug()
+        time.sleep(1.0)  # until it is missed
         again = mice.plug(testbed, PEN, 1)
-        time.sleep(3.0)  # until a busy machine has opened it
+        time.sleep(2.0)  # until a busy machine has opened it
         for x, y in numbers(32767)[3:]:
             again.send(pen(x, y))
             time.sleep(STEP_S)
