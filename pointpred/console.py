@@ -51,7 +51,7 @@ def remarks() -> Console:
 
 def remark(text: str) -> None:
     """Print a remark as it is, without markup."""
-    remarks().print(text, markup=False)
+    remarks().print(text)
 
 
 def table(

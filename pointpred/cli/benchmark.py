@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from msgspec.structs import replace
 
-from pointpred.cli.output_files import Force, Numbers, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, Report, check_targets, write_json
 from pointpred.cli.reading_options import Reasons, leave_out
 from pointpred.cli.score import WORST, predictor_names
 from pointpred.cli.shared_options import complete_predictors
@@ -34,14 +34,7 @@ def benchmark(
         ),
     ] = "all",
     json: Numbers = None,
-    report: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE|FOLDER",
-            help="Write a report as one HTML file; to a folder (a name without .html), with every figure as "
-            "SVG and PDF and every table as CSV and LaTeX.",
-        ),
-    ] = None,
+    report: Report = None,
     force: Force = False,
 ) -> None:
     """Score predictors on public recordings of people, which are fetched, by one protocol.

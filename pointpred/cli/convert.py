@@ -67,11 +67,11 @@ def convert(
     trials, users = counted(summary.trials, "trial"), counted(summary.users, "user")
     screen_out.print(f"kept {trials} of {users}, {counted(summary.rows, 'row')}")
     for reason, count in summary.skipped.items():
-        screen_out.print(f"skipped {count}: {reason}", markup=False)
+        screen_out.print(f"skipped {count}: {reason}")
     for note in summary.notes:
-        screen_out.print(note, markup=False)
+        screen_out.print(note)
     if any(reason.startswith("time goes backwards") for reason in summary.skipped):
-        screen_out.print("--sort keeps such trials: it sorts their samples by time", markup=False)
+        screen_out.print("--sort keeps such trials: it sorts their samples by time")
     if not summary.trials:
         names = ", ".join(map(str, sources))
         raise RecordingError(f"{names}: no trial could be read; see the reasons above")

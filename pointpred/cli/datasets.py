@@ -53,9 +53,9 @@ def list_sets(
         way = f"pointpred datasets fetch {one.name}" if one.fetchable else one.page if wide else BY_HAND
         more = (one.sampling, one.licence) if wide else ()
         rows.append((one.name, _count(one.users), _count(one.trials), *more, way))
-    screen.print(table(headings, rows, whole=("name",), overflow="fold"), markup=False)
+    screen.print(table(headings, rows, whole=("name",), overflow="fold"))
     for one in () if wide else by_hand:
-        screen.print(f"{one.name}: {one.page}", markup=False, soft_wrap=True)
+        screen.print(f"{one.name}: {one.page}", soft_wrap=True)
     if not wide:
         screen.print("Sampling and licences: a wider terminal, or --json.", style="dim")
 

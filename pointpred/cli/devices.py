@@ -55,7 +55,7 @@ def list_devices(
         )
     rows = [(one.path, one.kind, one.name, "yes" if one.openable else f"no: {one.why}") for one in listed]
     headings = ("device", "by", "name", "can be opened")
-    results().print(table(headings, rows, whole=("device",)), markup=False)
+    results().print(table(headings, rows, whole=("device",)))
     for one in listed:
         if one.advice:
             remark(f"{one.path} ({one.name}): {one.advice}")
@@ -118,7 +118,7 @@ def watch(
         watched = DeviceWatch(source)
         with suppress(KeyboardInterrupt):  # the way this ends
             _follow(source, watched, seconds)
-        results().print(watched.summary(), markup=False)
+        results().print(watched.summary())
 
 
 def _follow(source: DeviceSource, watched: DeviceWatch, seconds: float | None) -> None:
@@ -135,7 +135,7 @@ def _follow(source: DeviceSource, watched: DeviceWatch, seconds: float | None) -
                 screen.update(table((), watched.rows()), refresh=True)
                 shown = now
             elif not pictured and now - shown >= 1:
-                screen.console.print(watched.line(), markup=False)
+                screen.console.print(watched.line())
                 shown = now
 
 

@@ -60,9 +60,9 @@ def show(findings: list[Finding]) -> None:
         rows.append((one.state, one.name, one.found))
         if one.advice:
             rows.append(("", "", "-> see below" if one in below else f"-> {one.advice}"))
-    results().print(table((), rows), markup=False)
+    results().print(table((), rows))
     for one in below:
-        results().print(f"\n{one.name}: {one.advice}", markup=False, soft_wrap=True)
+        results().print(f"\n{one.name}: {one.advice}", soft_wrap=True)
 
 
 def run_check(check: Callable[[], list[Finding]]) -> list[Finding]:

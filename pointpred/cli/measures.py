@@ -248,10 +248,10 @@ def _print(one: SetMeasures, trials: Any) -> None:
         remark(f"{one.name}: skipped {len(some)}: {kind} (first: {some[0].place})")
     noun = "person" if one.users == 1 else "people"
     people = f"{one.users} {'simulated ' if one.simulated else ''}{noun}"
-    screen.print(f"{one.name}: {counted(one.trials, 'trial')}, {people}", style="bold", markup=False)
+    screen.print(f"{one.name}: {counted(one.trials, 'trial')}, {people}", style="bold")
     if not one.trials:
         return
-    screen.print(_medians(_of_set(trials, one.name)), markup=False)
+    screen.print(_medians(_of_set(trials, one.name)))
     if one.throughput is None:
         remark(f"{one.name}: no trial says where its target was and how wide: no throughput")
         return
@@ -265,13 +265,11 @@ def _print(one: SetMeasures, trials: Any) -> None:
         f"all: {total['error_rate']:.1%} errors, {total['response_time_s']:.3f} s, "
         f"{_cell('throughput_bits_s', total['throughput_bits_s'])} bits/s "
         "(means over people of their means over conditions)",
-        markup=False,
     )
     if line := one.regression:
         screen.print(
             f"time = {line['intercept']:.3f} s + {line['slope']:.3f} s/bit x ID, R2 = {line['r2']:.3f}, "
             f"{counted(line['points'], 'condition')}",
-            markup=False,
         )
     screen.print(
         "Time from start to selection; ID = log2(distance / width + 1); throughput by effective width and "

@@ -25,6 +25,14 @@ Numbers = Annotated[
     typer.Option(metavar="FILE", help="Write all numbers as JSON to this file; - for stdout."),
 ]
 """Where the numbers that are printed go as JSON."""
+Report = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE|FOLDER",
+        help="Write a report as one HTML file; to a folder (a name without .html), with every figure as SVG "
+        "and PDF and every table as CSV and LaTeX.",
+    ),
+]
 PLANTS_AND_DESIGNS = "pointpred observers"
 """The "format" of the files of pointpred-observers, which no result replaces."""
 

@@ -52,7 +52,7 @@ def predictors(
         _print_one(descriptions[0])
         for one in kept:
             words = f"{one.law}: {one.trouble}" if one.trouble else one.law
-            results().print(f"{'breaks' if one.trouble else 'keeps '}  {words}", markup=False)
+            results().print(f"{'breaks' if one.trouble else 'keeps '}  {words}")
     if broken := sum(bool(one.trouble) for one in kept):
         raise SourceError(f"{name} breaks {broken} of {len(kept)} laws, each named above")
 
@@ -75,7 +75,7 @@ def _print_one(one: dict[str, Any]) -> None:
     screen = results()
     screen.print(f"{one['name']}: {one['title']} ({one['reference']})")
     if (make := REGISTRY[one["name"]].make) is not None:
-        screen.print(f"made by {make.__name__}{signature(make)}\n", markup=False)
+        screen.print(f"made by {make.__name__}{signature(make)}\n")
         return
     screen.print(f"differentiator: {one['differentiator']}\n")
     wide = screen.width >= NARROW
@@ -85,5 +85,5 @@ def _print_one(one: dict[str, Any]) -> None:
         last = p["meaning"] if wide or unit == "-" else f"{p['meaning']} ({unit})"
         bounds = f"[{p['low']:g}, {p['high']:g}]"
         rows.append((p["name"], *((p["of"], unit) if wide else ()), bounds, f"{p['default']}", last))
-    screen.print(table((*whole, "meaning"), rows, whole=whole), markup=False)
-    screen.print(f"\nIn Python:  build({one['name']!r}, parameter=value)", markup=False)
+    screen.print(table((*whole, "meaning"), rows, whole=whole))
+    screen.print(f"\nIn Python:  build({one['name']!r}, parameter=value)")

@@ -240,7 +240,7 @@ def leave_out(reasons: Reasons, name: str, error: Exception) -> None:
     reason = str(error) if expected else f"{type(error).__name__}: {error}"
     reasons[name] = reason
     message = reason if name in reason else f"{name}: {reason}"
-    remarks().print(f"left out: {message}", style="red", markup=False)
+    remarks().print(f"left out: {message}", style="red")
 
 
 def one_recording(file: Path | None, reading: Any) -> Recording:
@@ -279,4 +279,4 @@ def print_skipped(skips: tuple[Any, ...]) -> None:
             if len(some) == 1
             else f"left out {len(some)}: {kind} (first: {first})"
         )
-        remarks().print(words, style="red", markup=False)
+        remarks().print(words, style="red")

@@ -141,7 +141,7 @@ def _show(recordings: list[Recorded]) -> None:
         notes = one.problem or "; ".join(one.notes)
         rows.append((one.name, f"{one.begun:%Y-%m-%d %H:%M:%S}", *counts, _size(one.size), notes))
     headings = ("name", "begun (UTC)", *numbers, "remark")
-    results().print(table(headings, rows, whole=("name",), right=numbers), markup=False)
+    results().print(table(headings, rows, whole=("name",), right=numbers))
 
 
 def _size(size: float) -> str:

@@ -61,11 +61,11 @@ def reproduce(
     if number is None:
         _print_list(list(ENTRIES.values()))
         if missing := not_installed():
-            remarks().print(missing, markup=False, soft_wrap=True)
+            remarks().print(missing, soft_wrap=True)
         return
     entry = entry_of(number)
     if entry.make is None:
-        results().print(f"{_title(entry)}. {entry.differs}", markup=False, soft_wrap=True)
+        results().print(f"{_title(entry)}. {entry.differs}", soft_wrap=True)
         return
     target = _target(entry, out, recordings, json, force)
     require("report", entry.number)
@@ -115,15 +115,15 @@ def _print_list(entries: list[Entry]) -> None:
 
 def _print(entry: Entry, made: Reproduction) -> None:
     screen = results()
-    screen.print(_title(entry), style="bold", markup=False)
-    screen.print(f"from: {made.data}", markup=False)
+    screen.print(_title(entry), style="bold")
+    screen.print(f"from: {made.data}")
     rows = [
         (value.name, value.printed or "-", shown(value), value.unit, AGREES[value.agrees])
         for value in made.values
     ]
     headings = ("value", "printed", "ours", "unit", "")
     screen.print(table(headings, rows, right=("printed", "ours")))
-    screen.print(f"What differs: {entry.differs}", markup=False, soft_wrap=True)
+    screen.print(f"What differs: {entry.differs}", soft_wrap=True)
 
 
 def shown(value: Value) -> str:

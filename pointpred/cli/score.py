@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pointpred.cli.output_files import Force, Numbers, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, Report, check_targets, write_json
 from pointpred.cli.reading_options import (
     Reasons,
     as_given,
@@ -68,14 +68,7 @@ def score(
         ),
     ] = "all",
     json: Numbers = None,
-    report: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE|FOLDER",
-            help="Write a report as one HTML file; to a folder (a name without .html), with every figure as "
-            "SVG and PDF and every table as CSV and LaTeX.",
-        ),
-    ] = None,
+    report: Report = None,
     trials: Annotated[
         Path | None,
         typer.Option(

@@ -52,16 +52,16 @@ def print_sets(sets: Sequence[SetSummary], *, drawn: bool = False) -> None:
     """
     for one in sets:
         if one.trials:
-            results().print(title(one), style="bold", markup=False)
+            results().print(title(one), style="bold")
             results().print(_table(one))
             for words in filter(None, (about_targets(one), about_memory(one))):
-                results().print(words, markup=False)
+                results().print(words)
             for note in footnotes(one):
-                results().print(note, style="red", markup=False)
+                results().print(note, style="red")
             for key, group in one.groups.items():
                 if group.column:
                     words = f"{group.label}: {counted(group.trials, 'trial')}"
-                    results().print(words, style="bold", markup=False)
+                    results().print(words, style="bold")
                     results().print(_table(one, key))
             if one.contrasts:
                 _print_contrasts(one)
@@ -109,7 +109,7 @@ def _print_contrasts(one: SetSummary) -> None:
         for each in one.contrasts
     ]  # fmt: skip
     people = one.contrasts[0].people
-    results().print(f"Compared over {people} people:", style="bold", markup=False)
+    results().print(f"Compared over {people} people:", style="bold")
     headings = ("first", "second", f"first - second, {one.unit}", "95 % interval", "t", "p", "p (Holm)")
     results().print(table(headings, cells, whole=headings[:2], right=headings[2:]))
     results().print(
@@ -150,7 +150,7 @@ def print_targets(sets: Sequence[TargetSummary]) -> None:
     """Two tables a set: shares right by time, and decisions at the usual precision."""
     for one in sets:
         title = f"{one.name}: {counted(one.trials, 'movement')}, {one.layout}"
-        results().print(title, style="bold", markup=False)
+        results().print(title, style="bold")
         for headings, cells in (
             (RIGHT, [_right(predictor) for predictor in one.predictors]),
             (DECIDED, [_decided(predictor) for predictor in one.predictors]),

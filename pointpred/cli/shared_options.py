@@ -26,7 +26,7 @@ def tell_others() -> None:
     from pointpred.registry import find_others
 
     for words in find_others():
-        remarks().print(f"left out: {words}", style="red", markup=False)
+        remarks().print(f"left out: {words}", style="red")
 
 
 PredictorName = Annotated[

@@ -157,9 +157,7 @@ def document(result: TrainingResult, out: Path) -> TrainDocument:
 
 def _print(trained: TrainingResult, out: Path) -> None:
     screen = results()
-    screen.print(
-        f"{counted(trained.movements, 'movement')}; {HELD_OUT[trained.parts]}", style="bold", markup=False
-    )
+    screen.print(f"{counted(trained.movements, 'movement')}; {HELD_OUT[trained.parts]}", style="bold")
     rows = []
     for one in trained.held_out:
         ratio, low, high = one.ratio
@@ -169,8 +167,8 @@ def _print(trained: TrainingResult, out: Path) -> None:
     screen.print(
         "Time-averaged error, px, of movements that were held out; hold predicts nothing.", style="dim"
     )
-    screen.print(VERDICT[trained.better], markup=False)
+    screen.print(VERDICT[trained.better])
     if seen := [one.name for one in trained.held_out if one.seen]:
         words = f"The shipped coefficients were fitted to {', '.join(seen)}: their error there is too small."
-        screen.print(words, style="red", markup=False)
-    screen.print(f"written: {out}", markup=False, soft_wrap=True)
+        screen.print(words, style="red")
+    screen.print(f"written: {out}", soft_wrap=True)

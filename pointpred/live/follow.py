@@ -93,11 +93,7 @@ def follow_device(device: DeviceOptions, outputs: OutputOptions, counts_per_inch
         run = LiveRun(session, outputs)
         tune_collector()
         if (file := device.person) is not None:
-            stack.callback(
-                lambda: results().print(
-                    f"person: {save_person(file, pipeline)}", markup=False, soft_wrap=True
-                )
-            )
+            stack.callback(lambda: results().print(f"person: {save_person(file, pipeline)}", soft_wrap=True))
         run.run()
 
 

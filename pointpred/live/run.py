@@ -212,13 +212,13 @@ class LiveRun:
             written = recording.close() if recording else True
             console = results()
             console.quiet = quiet
-            console.print(summary(self.session), markup=False, soft_wrap=True)
+            console.print(summary(self.session), soft_wrap=True)
             for entry in self._log.problems if self._log else ():
                 remark(entry)
             for name, words in self._output_rows():
-                console.print(f"{name}: {words}", markup=False, soft_wrap=True)
+                console.print(f"{name}: {words}", soft_wrap=True)
         if self.options.save_transfer is not None and isinstance(self.learner, CurveLearner):
-            console.print(self.learner.save(self.options.save_transfer), markup=False, soft_wrap=True)
+            console.print(self.learner.save(self.options.save_transfer), soft_wrap=True)
         if recording is not None and not written:
             raise SourceError(f"{recording.file}: not everything could be recorded")
 

@@ -43,7 +43,7 @@ def show(
             if state.note != shown and state.note is not None:
                 remark(f"note: {state.note}")
             shown = state.note
-            console.print(line(state, session.newest, timed=timed(session)), markup=False, soft_wrap=True)
+            console.print(line(state, session.newest, timed=timed(session)), soft_wrap=True)
         return
     with Live(console=console, auto_refresh=False, transient=False) as view:
         while True:

@@ -48,7 +48,7 @@ MOST_PAGES = 1000
 DESIGN, LINKS, ABOUT = "design.toml", "links.json", "participant.json"
 
 
-class Conflict(ParameterError):  # noqa: N818
+class ConflictError(ParameterError):
     """What a page sent does not follow what is stored: another page goes on with the study."""
 
     code = "out_of_place"
@@ -255,13 +255,13 @@ class Participant:
         }
 
     def take(self, message: Message) -> None:
-        """Store what a page sent; raises ParameterError, Conflict, SourceError where it cannot be written."""
+        """Store what a page sent; raises ParameterError, ConflictError, SourceError where a disk refuses."""
         with self._lock:
             try:
                 if isinstance(message, Agreed):
                     self._agree(message.page)
                 elif (about := self.about) is None:
-                    raise Conflict("nothing is stored before the participant has agreed")
+                    raise ConflictError("nothing is stored before the participant has agreed")
                 elif isinstance(message, Moved):
                     self._add(message)
                 elif isinstance(message, Answered):
@@ -314,7 +314,7 @@ class Participant:
             return
         following = self.next(done)
         if moved.number != len(done) or following is None:
-            raise Conflict(
+            raise ConflictError(
                 f"{len(done)} movements are stored, and this one has the number {moved.number}, counted "
                 "from 0: the study goes on in another page"
             )

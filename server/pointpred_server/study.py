@@ -10,7 +10,7 @@ from fastapi import Request, Response
 from starlette.routing import Route
 
 from pointpred.errors import ParameterError, SourceError
-from pointpred.studies.folder import Conflict, Participant
+from pointpred.studies.folder import ConflictError, Participant
 from pointpred.studies.messages import MOST_BYTES, MOST_ROWS, Message, decode
 from pointpred_server.access import admits_origin
 from pointpred_server.http_responses import error_response, json_response
@@ -58,7 +58,7 @@ async def _take(request: Request) -> Response:
             return error_response("too_large", f"more than {MOST_BYTES} bytes, which is the most", 413)
     try:
         return json_response(await asyncio.to_thread(_store, service, one, bytes(body)))
-    except Conflict as error:
+    except ConflictError as error:
         return error_response("out_of_place", str(error), 409)
     except ParameterError as error:
         return error_response("bad_field", str(error), 422, field=error.field)

@@ -19,7 +19,7 @@ from pointpred.recorder.files import SessionFiles
 from pointpred.recordings import read
 from pointpred.studies.design import TEMPLATE, design_of
 from pointpred.studies.export import export, status
-from pointpred.studies.folder import Conflict
+from pointpred.studies.folder import ConflictError
 from pointpred.studies.messages import Agreed, Answered, Opened
 from pointpred.studies.plan import latin_row, plan_of
 from tests.studied import DESIGN, PAGE, movement, study_in, take_part
@@ -100,7 +100,7 @@ def test_nothing_is_stored_before_the_participant_has_agreed(tmp_path: Path) -> 
     one = study.find(study.links()["P01"])
     assert one is study.participants["P01"]
     for message in (movement(one), Opened(PAGE), Answered("before", {"hand": "left"})):
-        with pytest.raises(Conflict):
+        with pytest.raises(ConflictError):
             one.take(message)
     assert [path.name for path in study.folder.iterdir()] == ["links.json"]
     one.take(Agreed(PAGE))
@@ -129,9 +129,9 @@ def test_a_movement_that_is_sent_twice_is_stored_once(tmp_path: Path) -> None:
     again = movement(one, 1, t=3.0)
     one.take(again)
     assert len(one.done()) == 2
-    with pytest.raises(Conflict, match="goes on in another page"):
+    with pytest.raises(ConflictError, match="goes on in another page"):
         one.take(replace(again, start=(99.0, *again.start[1:])))
-    with pytest.raises(Conflict):
+    with pytest.raises(ConflictError):
         one.take(movement(one, 7, t=9.0))
     with pytest.raises(ParameterError, match="backwards"):
         one.take(replace(movement(one, t=9.0), rows=movement(one, t=8.0).rows))
@@ -254,5 +254,5 @@ def test_deleting_leaves_nothing_and_the_link_no_longer_works(tmp_path: Path) ->
     assert gone.exit_code == 0
     assert not (study.folder / "P02").exists()
     assert study.find(link) is None
-    with pytest.raises(Conflict):
+    with pytest.raises(ConflictError):
         study.participants["P02"].take(Opened(PAGE))

@@ -138,7 +138,7 @@ def run(
         from pointpred_observers.cli.camera_plot import plot as draw
 
         draw(estimates, truths, plot, f"{samples.name}, focal length {focal_px:g} px")
-        remarks().print(f"{plot}", markup=False)
+        remarks().print(f"{plot}")
     if json is not None:
         write_json(summary(estimates, errors), json)
     if json is None or str(json) != "-":

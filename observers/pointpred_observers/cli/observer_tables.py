@@ -106,11 +106,11 @@ def summary(design: Any) -> DesignDocument:
 def print_design(kind: str, design: Any) -> None:
     """What was designed, and what is proved of it."""
     screen, one = results(), summary(design)
-    screen.print(f"{kind} observer" if kind != "regulator" else "regulator", style="bold", markup=False)
+    screen.print(f"{kind} observer" if kind != "regulator" else "regulator", style="bold")
     for table in _tables(design, one):
         screen.print(table)
     for name, matrix in _gains(design).items():
-        screen.print(f"{name} = {np.array2string(matrix, precision=6, separator=', ')}", markup=False)
+        screen.print(f"{name} = {np.array2string(matrix, precision=6, separator=', ')}")
 
 
 def print_audit(design: Any, margins: dict[str, float]) -> None:
@@ -123,7 +123,7 @@ def print_audit(design: Any, margins: dict[str, float]) -> None:
         size = next(one for part, one in sizes.items() if name.startswith(part))
         table.add_row(name, f"{margin / size:.4g}")
     screen = results()
-    screen.print(table, markup=False)
+    screen.print(table)
     for bounded in _tables(design, summary(design), stored=True):
         screen.print(bounded)
 
@@ -148,7 +148,7 @@ def print_errors(result: Simulation) -> None:
     for one in errors_document(result).states:
         table.add_row(one.name, f"{one.first:.4g}", f"{one.last:.4g}", f"{one.rmse:.4g}")
     screen = results()
-    screen.print(f"{result.title}, {len(result.t)} samples", style="bold", markup=False)
+    screen.print(f"{result.title}, {len(result.t)} samples", style="bold")
     screen.print(table)
 
 

@@ -146,7 +146,7 @@ def design(
         write_json(summary(made), json)
     if json is None or str(json) != "-":
         print_design(kind, made)
-    remarks().print(f"written: {target}. See it run: pointpred observers simulate {target}", markup=False)
+    remarks().print(f"written: {target}. See it run: pointpred observers simulate {target}")
 
 
 @app.command()
@@ -247,4 +247,4 @@ def simulate(
         print_errors(result)
     for target in (plot, out):
         if target is not None:
-            remarks().print(f"written: {target}", markup=False)
+            remarks().print(f"written: {target}")

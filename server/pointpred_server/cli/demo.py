@@ -40,4 +40,4 @@ def demo(
     out.mkdir(parents=True, exist_ok=True)
     write_demo(out)
     typer.echo(out / "index.html")
-    remarks().print(f"to look at it: python -m http.server --directory {out}", markup=False)
+    remarks().print(f"to look at it: python -m http.server --directory {out}")

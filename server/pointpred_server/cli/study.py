@@ -199,7 +199,7 @@ def status(design: Design, folder: Folder = None, as_json: AsJson = False) -> No
     ]
     numbers = ("movements", "missed")
     headings = ("participant", "state", "movements", "missed", "agreed (UTC)")
-    results().print(table(headings, cells, whole=("participant",), right=numbers), markup=False)
+    results().print(table(headings, cells, whole=("participant",), right=numbers))
 
 
 @app.command()
