@@ -237,10 +237,9 @@ def _by_name(samples: Samples, reading: Reading) -> Groups:
     members = np.flatnonzero(named)
     group = np.full(len(named), -1, dtype=np.int64)
     group[members], keys = keys_of((user[members], users), (trial[members], trials))
-    out = len(named) - len(members)
-    if out:
-        at = samples.row_of[np.flatnonzero(~named)[0]]
-        notes.append(f"rows without user or trial left out: {out}, the first is data row {at}")
+    out = np.unique(samples.row_of[~named])  # of lists a row has several samples
+    if len(out):
+        notes.append(f"rows without user or trial left out: {len(out)}, the first is data row {out[0]}")
     return Groups(group, keys, [{} for _ in keys])
 
 

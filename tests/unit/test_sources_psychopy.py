@@ -96,7 +96,7 @@ def test_a_file_that_names_nobody_is_one_person(tmp_path: Path) -> None:
     named = written(tmp_path, TRACK | {"subject_id": "s4"}, TRACK | {"subject_id": ""}, name="x.csv")
     [recording] = read_any(named)
     assert [trial.user for trial in recording.trials] == ["s4"]
-    assert "rows without user left out: 1" in recording.notes
+    assert "rows without user or trial left out: 1, the first is data row 1" in recording.notes
 
 
 def test_conditions_are_kept_and_come_back(tmp_path: Path) -> None:

@@ -117,7 +117,8 @@ def test_blocks_of_one_trial_each_are_told_apart(tmp_path: Path) -> None:
 
 def test_a_late_sample_restarts_nothing(tmp_path: Path) -> None:
     lines = ["block,trial,t_ms,x,y"]
-    lines += [f"1,{trial},{16 * (at ^ (at == 4))},{at},{at}" for trial in (1, 2) for at in range(1, 40)]
+    order = [1, 2, 3, 5, 4, *range(6, 40)]
+    lines += [f"1,{trial},{16 * at},{at},{at}" for trial in (1, 2) for at in order]
     path = tmp_path / "study.csv"
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     [recording] = read_any(path)
@@ -130,7 +131,7 @@ def test_rows_of_lists_without_a_user_are_left_out_and_counted(tmp_path: Path) -
     path.write_text("\n".join(["user,t_ms,x,y", *rows]) + "\n", encoding="utf-8")
     [recording] = read_any(path)
     assert [trial.user for trial in recording.trials] == ["ann", "ann", "ben"]
-    assert "rows without user left out: 1" in recording.notes
+    assert "rows without user or trial left out: 1, the first is data row 2" in recording.notes
 
 
 def test_many_short_lists_of_one_length_are_asked_about(tmp_path: Path) -> None:

@@ -116,7 +116,7 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
 
     A row without a list is counted in a note, one whose lists differ in length is a skip. Samples before the
     first position, which some programs leave empty until the pointer moves, are left out and counted, as are
-    buttons that are not as many as the samples, and rows without a user where others have one.
+    buttons that are not as many as the samples. A row without a user stays so where others have one.
     """
     cells = {field: column.to_pylist() for field, column in fields.items()}
     count = len(cells["t"])
@@ -133,11 +133,8 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
     items: dict[str, list[Any]] = {field: [] for field in SERIES if field in cells}
     rows: list[int] = []
     skipped = []
-    empty = before = other = nobody = 0
+    empty = before = other = 0
     for row in range(count):
-        if not users[row]:
-            nobody += 1
-            continue
         some = {field: items_of(cells[field][row]) for field in items}
         sizes = [len(some[field]) for field in ("t", "x", "y")]
         if len(set(sizes)) > 1:
@@ -155,7 +152,6 @@ def open_lists(fields: Mapping[str, Any], row_of: IntArray, one_user: str) -> Op
             column += some[field][blank:]
         rows += [row] * (sizes[0] - blank)
     notes = [f"samples before the first position left out: {before}"] if before else []
-    notes += [f"rows without user left out: {nobody}"] if nobody else []
     notes += [f"rows without lists of times and positions: {empty}"] if empty else []
     notes += [f"rows whose buttons are not as many as their samples, left aside: {other}"] if other else []
     row_of_sample = np.array(rows, dtype=np.int64)
