@@ -6,6 +6,7 @@ BIN = .venv/bin
 RUNS = .venv/.run
 READY = .venv/.ready
 ZIG = .venv/.zig
+SITE = .venv/.site
 MODULES = node_modules/.package-lock.json
 WHEEL = PYTHONPATH='$(CURDIR)/$(ZIG)' $(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation -w dist
 LAWS = setup.py $(wildcard pointpred/laws/*.[ch])
@@ -13,7 +14,7 @@ OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
 COMPILED = . $(if $(OBSERVERS_LAWS),./observers)
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm laws package wheels docs site site-check results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -99,6 +100,14 @@ wheels: $(READY) $(ZIG)  ## build every wheel and source distribution into dist,
 docs: $(READY)  ## write the pages made from code and from the measured numbers in evidence/
 	$(BIN)/python -m evidence
 
+site: $(SITE)  ## build the site of all pages, with search and the live page, into FOLDER (site)
+	$(if $(FOLDER),,rm -rf site)
+	$(BIN)/python -m sphinx -q -W --keep-going -E -d .venv/.site-read -c evidence/site . '$(or $(FOLDER),site)'
+	$(BIN)/pointpred demo --force --out '$(or $(FOLDER),site)/demo'
+
+site-check: $(READY)  ## build the site, check every link, and look at it in Chromium
+	$(BIN)/python -m pytest -q -m slow tests/contract/test_site.py
+
 results: $(READY)  ## score every predictor on the recordings in POINTPRED_RECORDINGS and the sample
 	$(BIN)/python -m evidence results
 	$(BIN)/python -m evidence
@@ -128,7 +137,7 @@ fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER
 	$(BIN)/python -m tests.fuzz.inputs '$(FOLDER)'
 
 clean:  ## remove the environment and every cache
-	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info
+	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist site *.egg-info
 	rm -rf server/build server/*.egg-info observers/build observers/*.egg-info
 	rm -f pointpred/_laws.* observers/pointpred_observers/_laws.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
@@ -148,6 +157,10 @@ $(RUNS): pyproject.toml server/pyproject.toml constraints.txt $(LAWS)
 $(ZIG): | $(READY)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --target $(ZIG) \
 		"$$($(BIN)/python -c 'import setup; print(setup.ZIGLANG)')"
+
+$(SITE): evidence/site/requirements.txt constraints.txt | $(RUNS)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -r evidence/site/requirements.txt
+	touch $(SITE)
 
 $(READY): $(RUNS) observers/pyproject.toml $(OBSERVERS_LAWS)
 	@echo 'installing what the tests need into .venv, about a minute' >&2
