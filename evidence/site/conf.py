@@ -30,7 +30,8 @@ html_copy_source = True
 html_use_index = False
 html_show_sourcelink = False
 html_sourcelink_suffix = ""
-html_static_path: list[str] = []
+html_static_path = ["page.js"]
+html_js_files = ["page.js"]
 
 MOVING = ("docs/figures/live.webp", "docs/figures/live.png")
 """Pictures that the README shows by HTML, which Sphinx does not copy."""
@@ -38,8 +39,6 @@ LIVE = """
 <a href="demo/index.html">Move your mouse over the live page.</a> A browser loads it only from a server; for a
 folder on this machine that is `python -m http.server --directory site`, then <http://localhost:8000/>.
 """
-FROM_A_FOLDER = "if (location.protocol === 'file:') DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;"
-"""Excerpts of what was found are fetched, which no browser allows to a page from a folder."""
 
 
 def add_to_the_front_page(app: Sphinx, document: str, text: list[str]) -> None:
@@ -70,6 +69,5 @@ def add_files(app: Sphinx, failed: Exception | None) -> None:
 
 def setup(app: Sphinx) -> None:
     """Called by Sphinx."""
-    app.add_js_file(None, body=FROM_A_FOLDER)
     app.connect("source-read", add_to_the_front_page)
     app.connect("build-finished", add_files)
