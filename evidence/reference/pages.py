@@ -43,8 +43,8 @@ IN_README = {
     "`hold`": "`hold`: no prediction",
     "`minimum-jerk`": "`minimum-jerk`: has learned from nobody",
     "`kinematic`": "`kinematic`: has learned from other people",
-    "`kinematic-adaptive`": "`kinematic-adaptive`: goes on learning from the person",
-    "oracle": "for comparison: knows how far the movement goes, and keeps its direction",
+    "`kinematic-adaptive`": "`kinematic-adaptive`: learns from the person, too",
+    "oracle": "an oracle: knows how far it goes, keeps the direction",
 }
 """Columns of the errors with targets, and what they are called in the README."""
 
