@@ -4,9 +4,9 @@ PYTHON ?= $(shell for python in python3.11 python3 python3.12 python3.13 python3
 	$$python -c '$(NEW_ENOUGH)' 2>/dev/null && { echo $$python; break; }; done)
 BIN = .venv/bin
 RUNS = .venv/.run
+SITE = .venv/.site
 READY = .venv/.ready
 ZIG = .venv/.zig
-SITE = .venv/.site
 MODULES = node_modules/.package-lock.json
 WHEEL = PYTHONPATH='$(CURDIR)/$(ZIG)' $(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation -w dist
 LAWS = setup.py $(wildcard pointpred/laws/*.[ch])
@@ -14,7 +14,7 @@ OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
 COMPILED = . $(if $(OBSERVERS_LAWS),./observers)
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm laws package wheels docs site site-check results train sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -100,6 +100,7 @@ wheels: $(READY) $(ZIG)  ## build every wheel and source distribution into dist,
 docs: $(READY)  ## write the pages made from code and from the measured numbers in evidence/
 	$(BIN)/python -m evidence
 
+.PHONY: site site-check
 site: $(SITE)  ## build the site of all pages, with search and the live page, into FOLDER (site)
 	$(if $(FOLDER),,rm -rf site)
 	$(BIN)/python -m sphinx -q -W --keep-going -E -d .venv/.site-read -c evidence/site . '$(or $(FOLDER),site)'
