@@ -103,7 +103,8 @@ def test_from_a_folder_pages_ask_for_nothing_elsewhere_and_can_be_searched(
         assert [one for one in visitor.asked() if not one.startswith(f"{site.as_uri()}/")] == [], page
     visitor.open(f"{site.as_uri()}/index.html")
     visitor.page.fill("input[name=q]", "ellipse")
-    visitor.press("Enter")
+    with visitor.page.expect_navigation():
+        visitor.press("Enter")
     visitor.wait("document.querySelectorAll('#search-results li a').length > 5")
     assert visitor.complaints() == []
 
@@ -113,7 +114,8 @@ def test_from_a_folder_pages_ask_for_nothing_elsewhere_and_can_be_searched(
 def test_on_a_static_host_the_front_page_leads_to_the_live_page(site: Path, visitor: Visitor) -> None:
     with file_host(site) as origin:
         visitor.open(f"{origin}/index.html")
-        visitor.page.click("text=Move your mouse over the live page.")
+        with visitor.page.expect_navigation():
+            visitor.page.click("text=Move your mouse over the live page.")
         visitor.wait("document.querySelector('#live-card-0 .connection')?.dataset.state === 'open'")
         assert visitor.complaints() == []
         assert [one for one in visitor.asked() if not one.startswith(origin)] == []
