@@ -4,6 +4,7 @@ PYTHON ?= $(shell for python in python3.11 python3 python3.12 python3.13 python3
 	$$python -c '$(NEW_ENOUGH)' 2>/dev/null && { echo $$python; break; }; done)
 BIN = .venv/bin
 RUNS = .venv/.run
+SITE = .venv/.site
 READY = .venv/.ready
 ZIG = .venv/.zig
 MODULES = node_modules/.package-lock.json
@@ -99,6 +100,15 @@ wheels: $(READY) $(ZIG)  ## build every wheel and source distribution into dist,
 docs: $(READY)  ## write the pages made from code and from the measured numbers in evidence/
 	$(BIN)/python -m evidence
 
+.PHONY: site site-check
+site: $(SITE)  ## build the site of all pages, with search and the live page, into FOLDER (site)
+	$(if $(FOLDER),,rm -rf site)
+	$(BIN)/python -m sphinx -q -W --keep-going -E -d .venv/.site-read -c evidence/site . '$(or $(FOLDER),site)'
+	$(BIN)/pointpred demo --force --out '$(or $(FOLDER),site)/demo'
+
+site-check: $(READY)  ## build the site, check every link, and look at it in Chromium
+	$(BIN)/python -m pytest -q -m slow tests/contract/test_site.py
+
 results: $(READY)  ## score every predictor on the recordings in POINTPRED_RECORDINGS and the sample
 	$(BIN)/python -m evidence results
 	$(BIN)/python -m evidence
@@ -128,7 +138,7 @@ fuzz-inputs: $(READY)  ## read damaged copies of the public recordings in FOLDER
 	$(BIN)/python -m tests.fuzz.inputs '$(FOLDER)'
 
 clean:  ## remove the environment and every cache
-	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist *.egg-info
+	rm -rf .venv .mypy_cache .ruff_cache .pytest_cache .hypothesis build dist site *.egg-info
 	rm -rf server/build server/*.egg-info observers/build observers/*.egg-info
 	rm -f pointpred/_laws.* observers/pointpred_observers/_laws.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
@@ -148,6 +158,10 @@ $(RUNS): pyproject.toml server/pyproject.toml constraints.txt $(LAWS)
 $(ZIG): | $(READY)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --target $(ZIG) \
 		"$$($(BIN)/python -c 'import setup; print(setup.ZIGLANG)')"
+
+$(SITE): evidence/site/requirements.txt constraints.txt | $(RUNS)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -r evidence/site/requirements.txt
+	touch $(SITE)
 
 $(READY): $(RUNS) observers/pyproject.toml $(OBSERVERS_LAWS)
 	@echo 'installing what the tests need into .venv, about a minute' >&2

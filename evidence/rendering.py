@@ -10,6 +10,7 @@ import re
 from collections.abc import Mapping, Sequence
 from functools import cache
 from math import isfinite
+from statistics import median
 from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -41,6 +42,7 @@ def environment() -> Environment:
         "share": share,
         "spread": spread,
         "span": span,
+        "median_and_ends": median_and_ends,
         "percent": percent,
         "percents": percents,
         "times": times,
@@ -124,6 +126,11 @@ def span(values: Sequence[float], digits: int = 2) -> str:
     """The least and the most of several numbers, one number where both are shown alike."""
     ends = dict.fromkeys((number(min(values), digits), number(max(values), digits)))
     return " to ".join(ends)
+
+
+def median_and_ends(values: Sequence[float]) -> str:
+    """The median of several numbers, in brackets the least and the most."""
+    return f"{number(median(values))} ({span(values)})"
 
 
 def missing(short: Mapping[str, float]) -> str:

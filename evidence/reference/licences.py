@@ -1,6 +1,7 @@
 """Which licence each package has that pointpred installs: ``python -m evidence reference licences``.
 
-Takes the packages of ``constraints.txt`` as they are installed here, and what their metadata say.
+Takes the packages of ``constraints.txt`` as they are installed here, by ``make .venv/.ready .venv/.site``,
+and what their metadata say.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from evidence.data import Table, keep
 COLUMNS = ("package", "licence", "needed for")
 OWN = ("pointpred", "pointpred-server", "pointpred-observers")
 """The project's distributions."""
+SITE = ROOT / "evidence" / "site" / "requirements.txt"
 CLASSIFIED = {
     "Apache Software License": "Apache-2.0",
     "BSD License": "BSD",
@@ -76,10 +78,10 @@ def needed_by(*start: tuple[str, tuple[str, ...]]) -> set[str]:
     return found
 
 
-def purpose(name: str, running: set[str], extras: set[str]) -> str:
-    """What a package is needed for."""
+def purpose(name: str, needed: dict[str, set[str]]) -> str:
+    """The first that a package is needed for."""
     key = canonicalize_name(name)
-    return "running" if key in running else "extras" if key in extras else "tests"
+    return next((what for what, names in needed.items() if key in names), "tests")
 
 
 def provided(own: Distribution) -> tuple[str, ...]:
@@ -89,9 +91,14 @@ def provided(own: Distribution) -> tuple[str, ...]:
 
 
 def main() -> None:
-    running = needed_by((OWN[0], ()), (OWN[1], ()))
-    extras = needed_by(*((name, provided(distribution(name))) for name in OWN))
-    rows = [(name, licence_of(name) or "unknown", purpose(name, running, extras)) for name in packages()]
+    tools = SITE.read_text(encoding="utf-8").splitlines()[1:]
+    needed = {
+        "running": needed_by((OWN[0], ()), (OWN[1], ())),
+        "extras": needed_by(*((name, provided(distribution(name))) for name in OWN)),
+        "tests": needed_by((OWN[0], ("dev",))),
+        "site": {*tools, *needed_by(*((name, ()) for name in tools))},
+    }
+    rows = [(name, licence_of(name) or "unknown", purpose(name, needed)) for name in packages()]
     keep("reference", {"licences": Table.of(COLUMNS, rows)}, part="licences")
 
 

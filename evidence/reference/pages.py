@@ -23,7 +23,7 @@ from pointpred.cli.app import DONE, INTERRUPTED, NOTHING, WRONG_USE, LazyCommand
 from pointpred.cli.help_text import VALUES
 from pointpred.cli.reading_options import PANEL, TABLES
 from pointpred.differentiators import DIFFERENTIATORS
-from pointpred.errors import ParameterError, PointpredError
+from pointpred.errors import PointpredError
 from pointpred.logs import FIELDS
 from pointpred.parameter import Parameter
 from pointpred.registry import GAINS, RECOMMENDED, REGISTRY, describe
@@ -39,8 +39,14 @@ OF_PROCESS = "process_", "python_"
 """The beginnings of the names of metrics that are not of pointpred."""
 UNITS = {"_seconds": "s", "_bytes": "bytes", "_info": ""}
 """Of a metric, by the end of its name; other metrics count."""
-IN_README = ("hold", "minimum-jerk", "switched", "kinematic", RECOMMENDED)
-"""No prediction, no training, the thesis, and what has learned."""
+IN_README = {
+    "`hold`": "`hold`: no prediction",
+    "`minimum-jerk`": "`minimum-jerk`: has learned from nobody",
+    "`kinematic`": "`kinematic`: has learned from other people",
+    "`kinematic-adaptive`": "`kinematic-adaptive`: learns from the person, too",
+    "oracle": "an oracle: knows how far it goes, keeps the direction",
+}
+"""Columns of the errors with targets, and what they are called in the README."""
 
 
 class Setting(msgspec.Struct, frozen=True):
@@ -264,24 +270,26 @@ def setting_page() -> dict[str, Any]:
 
 
 def readme_scores() -> dict[str, Any]:
-    """Five predictors on the embedded sample, and the learned ones on real people.
-
-    Raises ParameterError where the embedded sample was not scored.
-    """
-    sets = stored()
-    sample = next((one for one in sets if one.summary.simulated), None)
-    if sample is None:
-        raise ParameterError("the embedded sample was not scored; run `make results`", code="missing")
-    together = overall(sets)
-    chosen = [(f"`{name}`", sample.scored(name)) for name in IN_README]
-    for place, name in reversed(list(enumerate(IN_README, 1))):
-        if without := sample.without_memory(name):
-            chosen.insert(place, (f"`{name}` without memory", without))
+    """Five rows on recorded people, without the targets and with them, and what to know of these numbers."""
+    errors, elsewhere = (
+        [dict(zip(table.columns, row, strict=True)) for row in table.rows]
+        for table in (data.stored("targets").tables[name] for name in ("errors", "none"))
+    )
+    everything = overall(stored())
+    people = {str(row["set"]).partition(",")[0]: int(row["people"]) for row in errors}
     return {
-        "made": sample.summary,
-        "chosen": chosen,
-        "overall": together,
-        "fitted": [one for one in together.learned if one.without == "set"],
+        "rows": [
+            (label, *([row[one] for row in errors if one in row] for one in (column, f"{column} + targets")))
+            for column, label in IN_README.items()
+        ],
+        "sets": len(errors),
+        "people": sum(people.values()),
+        "movements": sum(int(row["movements"]) for row in errors),
+        "recommended": RECOMMENDED,
+        "overall": everything,
+        "shares": everything.shares[RECOMMENDED],
+        "without_memory": everything.ablated[RECOMMENDED],
+        "elsewhere": max(row["a third"] for row in elsewhere if row["predictor"] == RECOMMENDED),
     }
 
 

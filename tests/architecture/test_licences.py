@@ -25,6 +25,7 @@ COMPATIBLE = {
     *("PSF-2.0", "Zlib", "Apache-2.0 WITH LLVM-exception", "Unlicense"),
 }
 REASONS = {
+    "certifi": "MPL-2.0",
     "hidapi": "BSD OR GPL-3.0",
     "hypothesis": "MPL-2.0",
     "pathspec": "MPL-2.0",

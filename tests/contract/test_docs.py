@@ -144,16 +144,6 @@ def test_files_named_on_a_page_exist(page: Path) -> None:
         assert (ROOT / named).exists(), f"{page.name} names {named}"
 
 
-def test_every_page_can_be_reached_from_the_first() -> None:
-    reached, waiting = set[Path](), [ROOT / "docs/README.md"]
-    while waiting:
-        page = waiting.pop()
-        reached.add(page)
-        links = re.findall(r"\]\(([^)#:]+\.md)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
-        waiting += {(page.parent / link).resolve() for link in links} - reached
-    assert set((ROOT / "docs").rglob("*.md")) - reached == set()
-
-
 def test_laws_beside_their_equations_are_those_of_the_code() -> None:
     section = (ROOT / "docs/equations.md").read_text().partition("## Laws beside")[2].partition("\n## ")[0]
     lines = ""
