@@ -14,7 +14,7 @@ OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
 COMPILED = . $(if $(OBSERVERS_LAWS),./observers)
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm container laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -71,6 +71,9 @@ npm: $(READY)  ## install, build and drive the npm package with bundlers, framew
 
 sanitize: $(READY)  ## run the laws in C under the sanitizers of addresses and undefined behaviour, with gcc
 	$(BIN)/python -m pytest -q -m slow tests/architecture
+
+container: $(READY)  ## build the image pointpred with docker or podman, run it alone and behind a proxy; BASE, PROXY name other images
+	BASE='$(BASE)' PROXY='$(or $(PROXY),haproxy:2.6)' $(BIN)/python -m pytest -q -s -m slow tests/operations/test_container.py
 
 laws:  ## after a change of a law: write its C and JavaScript, compile what changed (FORCE=--force: all)
 	test -x $(BIN)/python || $(MAKE) $(READY)
