@@ -5,15 +5,14 @@ PYTHON ?= $(shell for python in python3.11 python3 python3.12 python3.13 python3
 BIN = .venv/bin
 RUNS = .venv/.run
 READY = .venv/.ready
-ZIG = .venv/.zig
+TOOLS = .venv/.release
 MODULES = node_modules/.package-lock.json
-WHEEL = PYTHONPATH='$(CURDIR)/$(ZIG)' $(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation -w dist
+RELEASE = PYTHONPATH='$(CURDIR)/$(TOOLS)' $(BIN)/python release.py
 LAWS = setup.py $(wildcard pointpred/laws/*.[ch])
 OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
-COMPILED = . $(if $(OBSERVERS_LAWS),./observers)
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm laws package release release-again release-check strangers docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -81,20 +80,17 @@ package: $(MODULES)  ## pack the npm package, with its files for a script tag, i
 	mkdir -p dist
 	cd server/pointpred_server/web/lib && npm pack --silent --pack-destination '$(CURDIR)/dist'
 
-wheels: $(READY) $(ZIG)  ## build every wheel and source distribution into dist, with zig for Linux, macOS and Windows
-	rm -rf dist
-	for platform in $$($(BIN)/python -c 'import setup; print(*setup.TARGETS)'); do \
-		for folder in $(COMPILED); do \
-			rm -rf "$$folder/build" && $(WHEEL) "--config-settings=--build-option=--plat-name=$$platform" "$$folder" || exit; \
-		done; done
-	$(WHEEL) $(filter-out $(COMPILED),./server ./observers)
-	for folder in . server observers; do (cd "$$folder" && '$(CURDIR)/$(BIN)/python' -W ignore -c \
-		"from setuptools import build_meta; build_meta.build_sdist('$(CURDIR)/dist')" >/dev/null) || exit; done
-	rm -rf build observers/build server/build
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-index --no-deps --find-links dist --target dist/tried pointpred
-	PYTHONPATH=dist/tried $(BIN)/python -P -c 'import pointpred._laws; print("tried here:", pointpred._laws.__file__)'
-	rm -r dist/tried
-	@echo 'the wheels of other platforms in dist are untried: install each there and run: pointpred doctor'
+release: $(READY) $(TOOLS)  ## build every file of the release into dist, and say what is left to do
+	$(RELEASE) build
+
+release-again: $(READY) $(TOOLS)  ## build the release a second time, elsewhere, and compare every byte with dist
+	$(RELEASE) again
+
+release-check: $(READY)  ## compare dist with the version, the tag and the changelog
+	$(RELEASE) check
+
+strangers: $(READY)  ## install what lies in dist into empty environments, and use it as its users do
+	$(BIN)/python tests/strangers.py dist
 
 docs: $(READY)  ## write the pages made from code and from the measured numbers in evidence/
 	$(BIN)/python -m evidence
@@ -144,10 +140,11 @@ $(RUNS): pyproject.toml server/pyproject.toml constraints.txt $(LAWS)
 	$(BIN)/python -m compileall -q pointpred server
 	touch $(RUNS)
 
-# Beside the environment, which stays without a compiler of 100 MB.
-$(ZIG): | $(READY)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --target $(ZIG) \
-		"$$($(BIN)/python -c 'import setup; print(setup.ZIGLANG)')"
+# Beside the environment, which stays without a compiler of 400 MB.
+$(TOOLS): setup.py | $(READY)
+	rm -rf $(TOOLS)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --target $(TOOLS) \
+		"$$($(BIN)/python -c 'import setup; print(setup.ZIGLANG)')" cyclonedx-bom==7.5.0
 
 $(READY): $(RUNS) observers/pyproject.toml $(OBSERVERS_LAWS)
 	@echo 'installing what the tests need into .venv, about a minute' >&2
