@@ -135,8 +135,7 @@ $(RUNS): pyproject.toml server/pyproject.toml constraints.txt $(LAWS)
 		"and '$(PYTHON)' is not: name another with make PYTHON=/path/to/python3.11" >&2; exit 1; }
 	@echo 'installing what running needs into .venv, about half a minute' >&2
 	'$(PYTHON)' -m venv .venv
-	$(BIN)/python $(INSTALL) '.[live,client]'
-	$(BIN)/python $(INSTALL) server
+	$(BIN)/python $(INSTALL) '.[live,client]' --editable server
 	$(BIN)/python -m compileall -q pointpred server
 	touch $(RUNS)
 

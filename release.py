@@ -96,7 +96,7 @@ def version() -> str:
 
 
 def address(tree: Path = ROOT) -> str:
-    """Where the repository lies; the npm package states it, and everything else that is published repeats it."""
+    """Where the repository lies: the npm package states it, the rest of a release repeats it."""
     url = str(json.loads((tree / PACKAGE).read_text("utf-8"))["repository"]["url"])
     return url.removeprefix("git+").removesuffix(".git")
 
@@ -135,10 +135,8 @@ def export(tree: Path) -> None:
         about.write_text(f'{text}\n[project.urls]\nRepository = "{repository}"\n', "utf-8")
         # An index shows this page far from the files that it links to.
         page = tree / folder / tomllib.loads(text)["project"]["readme"]
-        there = f"{repository}/blob/v{version()}/{page.parent.relative_to(tree).as_posix()}".removesuffix(
-            "/."
-        )
-        page.write_text(absolute(page.read_text("utf-8"), there), "utf-8")
+        there = [repository, "blob", f"v{version()}", *page.parent.relative_to(tree).parts]
+        page.write_text(absolute(page.read_text("utf-8"), "/".join(there)), "utf-8")
 
 
 def absolute(page: str, there: str) -> str:
@@ -199,7 +197,7 @@ def settle(path: Path, epoch: int) -> None:
 
 
 def write_bill(out: Path, tree: Path, place: Path, variables: dict[str, str]) -> None:
-    """Write what the distributions bring with them, as CycloneDX: installed here with every extra of users."""
+    """Write what the distributions bring along, as CycloneDX, with every extra but that of developers."""
     run([sys.executable, "-m", "venv", "--without-pip", place], tree)
     python = place / "bin" / "python"
     wanted = []

@@ -39,9 +39,8 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def test_the_version_and_the_licence_are_those_of_the_project() -> None:
+def test_the_licence_is_that_of_the_project() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    assert PACKAGE["version"] == project["version"]
     assert PACKAGE["license"] == project["license"]
     assert "dependencies" not in PACKAGE
     for name in ("LICENSE", "NOTICE"):
