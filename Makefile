@@ -7,7 +7,7 @@ RUNS = .venv/.run
 READY = .venv/.ready
 TOOLS = .venv/.release
 MODULES = node_modules/.package-lock.json
-RELEASE = PYTHONPATH='$(CURDIR)/$(TOOLS)' $(BIN)/python release.py
+RELEASE = $(TOOLS)/bin/python release.py
 LAWS = setup.py $(wildcard pointpred/laws/*.[ch])
 OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
@@ -80,17 +80,17 @@ package: $(MODULES)  ## pack the npm package, with its files for a script tag, i
 	mkdir -p dist
 	cd server/pointpred_server/web/lib && npm pack --silent --pack-destination '$(CURDIR)/dist'
 
-release: $(READY) $(TOOLS)  ## build every file of the release into dist, and say what is left to do
+release: $(TOOLS)  ## build every file of the release into dist, and say what is left to do
 	$(RELEASE) build
 
-release-again: $(READY) $(TOOLS)  ## build the release a second time, elsewhere, and compare every byte with dist
+release-again: $(TOOLS)  ## build the release a second time, elsewhere, and compare every byte with dist
 	$(RELEASE) again
 
-release-check: $(READY)  ## compare dist with the version, the tag and the changelog
+release-check: $(TOOLS)  ## compare dist with the version, the tag and the changelog
 	$(RELEASE) check
 
-strangers: $(READY)  ## install what lies in dist into empty environments, and use it as its users do
-	$(BIN)/python tests/strangers.py dist
+strangers:  ## install what lies in dist into empty environments, and use it as its users do
+	'$(PYTHON)' tests/strangers.py dist
 
 docs: $(READY)  ## write the pages made from code and from the measured numbers in evidence/
 	$(BIN)/python -m evidence
@@ -139,11 +139,13 @@ $(RUNS): pyproject.toml server/pyproject.toml constraints.txt $(LAWS)
 	$(BIN)/python -m compileall -q pointpred server
 	touch $(RUNS)
 
-# Beside the environment, which stays without a compiler of 400 MB.
-$(TOOLS): setup.py | $(READY)
-	rm -rf $(TOOLS)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --target $(TOOLS) \
-		"$$($(BIN)/python -c 'import setup; print(setup.ZIGLANG)')" cyclonedx-bom==7.5.0
+# An environment of its own: a release needs a compiler of 400 MB, and nothing that the tests need.
+$(TOOLS): setup.py constraints.txt
+	'$(PYTHON)' -m venv --clear $(TOOLS)
+	$(TOOLS)/bin/python -m pip install --quiet --disable-pip-version-check -c constraints.txt setuptools
+	$(TOOLS)/bin/python -m pip install --quiet --disable-pip-version-check cyclonedx-bom==7.5.0 \
+		"$$($(TOOLS)/bin/python -c 'import setup; print(setup.ZIGLANG)')"
+	touch $(TOOLS)
 
 $(READY): $(RUNS) observers/pyproject.toml $(OBSERVERS_LAWS)
 	@echo 'installing what the tests need into .venv, about a minute' >&2

@@ -39,13 +39,13 @@ NO_ADDRESS = "github.com/OWNER/"
 """In the address of a repository that nobody has filled in yet."""
 PIP = [sys.executable, "-m", "pip", "--quiet", "--disable-pip-version-check"]
 VENDORED = re.compile(r"\b(uPlot) (\d[\d.]*\d)")
-"""The code of others in ``pointpred-server``, as ``NOTICE`` names it."""
+"""The code of others in ``pointpred-server``, as ``NOTICE`` names it: under the MIT License."""
 
 STEPS = """\
 Steps that only a person can do, each once:
-  1. Accounts on PyPI and npm, with a second factor, for whoever publishes.
-  2. PyPI, https://pypi.org/manage/account/publishing/: a pending trusted publisher for each of {names}:
-     the repository, the workflow release.yml, the environment pypi.
+  1. Accounts on PyPI and npm, with a second factor, for whoever publishes; the names were free in 2026.
+  2. PyPI, https://pypi.org/manage/account/publishing/: a pending trusted publisher for each of
+     {names}: the repository, the workflow release.yml, the environment pypi.
   3. npm: publish the first version by hand, `npm publish {tarball}`; then, in the settings of the package,
      a trusted publisher: the repository, the workflow release.yml, the environment npm.
   4. GitHub: the repository, private reports of weaknesses, the environments pypi and npm, each with somebody
@@ -66,8 +66,9 @@ def git(*arguments: str) -> str:
 
 
 def run(command: list[str | Path], folder: Path, **variables: str) -> None:
-    """Run a command in a folder, with variables beside those of this process."""
-    subprocess.run(command, cwd=folder, env={**os.environ, **variables}, check=True)
+    """Run a command in a folder, with variables beside those of this process; it prints errors alone."""
+    environment = {**os.environ, **variables}
+    subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=True)
 
 
 def declared(tree: Path = ROOT) -> dict[str, str]:
@@ -200,7 +201,7 @@ def write_bill(out: Path, tree: Path, place: Path, variables: dict[str, str]) ->
     """Write what the distributions bring along, as CycloneDX, with every extra but that of developers."""
     run([sys.executable, "-m", "venv", "--without-pip", place], tree)
     python = place / "bin" / "python"
-    wanted = []
+    wanted: list[str | Path] = []
     for name, folder in FOLDERS.items():
         project = tomllib.loads((tree / folder / "pyproject.toml").read_text("utf-8"))["project"]
         extras = sorted(set(project.get("optional-dependencies", {})) - {"dev"})
@@ -213,13 +214,12 @@ def write_bill(out: Path, tree: Path, place: Path, variables: dict[str, str]) ->
     known = {one["name"]: one["bom-ref"] for one in bill["components"]}
     bill["metadata"]["component"] = {"type": "application", "name": "pointpred", "version": version()}
     for name, number in VENDORED.findall((tree / "NOTICE").read_text("utf-8")):
-        address_of_it = f"pkg:npm/{name.lower()}@{number}"
-        component = {"type": "library", "bom-ref": address_of_it, "name": name, "version": number}
-        licence = {"licenses": [{"license": {"id": "MIT"}}], "purl": address_of_it}
-        bill["components"].append(component | licence)
-        bill["dependencies"].append({"ref": address_of_it})
+        ref = f"pkg:npm/{name.lower()}@{number}"
+        component = {"type": "library", "bom-ref": ref, "name": name, "version": number, "purl": ref}
+        bill["components"].append(component | {"licenses": [{"license": {"id": "MIT"}}]})
+        bill["dependencies"].append({"ref": ref})
         (needs,) = (one for one in bill["dependencies"] if one["ref"] == known["pointpred-server"])
-        needs["dependsOn"].append(address_of_it)
+        needs["dependsOn"].append(ref)
     file.write_text(json.dumps(bill, indent=2) + "\n", "utf-8")
 
 
@@ -248,8 +248,8 @@ def problems() -> Iterator[str]:
     for place, stated in declared().items():
         if stated != number:
             yield f"{place} says {stated}, pointpred/__init__.py {number}"
-    if changed := git("status", "--porcelain"):
-        yield f"{len(changed.splitlines())} files of the tree are not committed"
+    if git("status", "--porcelain"):
+        yield "the tree has files that are not committed, or other than committed"
     head = git("rev-parse", "HEAD")
     tag = git("tag", "--list", f"v{number}")
     if not tag:
