@@ -27,7 +27,7 @@ import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
-from setup import TARGETS
+from setup import TARGETS  # type: ignore[attr-defined]  # mypy takes the one in observers
 
 ROOT = Path(__file__).parent
 DIST = ROOT / "dist"
@@ -43,7 +43,7 @@ VENDORED = re.compile(r"\b(uPlot) (\d[\d.]*\d)")
 
 STEPS = """\
 Steps that only a person can do, each once:
-  1. Accounts on PyPI and npm, with a second factor, for whoever publishes; the names were free in 2026.
+  1. Accounts on PyPI and npm, with a second factor, for whoever publishes; the names were free on 2026-11-27.
   2. PyPI, https://pypi.org/manage/account/publishing/: a pending trusted publisher for each of
      {names}: the repository, the workflow release.yml, the environment pypi.
   3. npm: publish the first version by hand, `npm publish {tarball}`; then, in the settings of the package,
@@ -122,10 +122,10 @@ def expected() -> set[str]:
     return names | {f"pointpred-{number}.tgz", f"pointpred-{number}.cdx.json", f"CHANGELOG-{number}.md"}
 
 
-def export(tree: Path) -> None:
-    """Lay the files of the commit into a folder, with the address of the repository in what is published."""
+def export(commit: str, tree: Path) -> None:
+    """Lay the files of a commit into a folder, with the address of the repository in what is published."""
     archive = subprocess.run(
-        ["git", "-c", "tar.umask=0022", "archive", "HEAD"], cwd=ROOT, check=True, capture_output=True
+        ["git", "-c", "tar.umask=0022", "archive", commit], cwd=ROOT, check=True, capture_output=True
     ).stdout
     with tarfile.open(fileobj=io.BytesIO(archive)) as files:
         files.extractall(tree, filter="data")
@@ -152,10 +152,11 @@ def absolute(page: str, there: str) -> str:
 def build(out: Path, **variables: str) -> None:
     """Build every file of the release into an empty folder."""
     os.umask(0o022)
-    variables["SOURCE_DATE_EPOCH"] = git("log", "-1", "--format=%ct")
+    commit = git("rev-parse", "HEAD")
+    variables["SOURCE_DATE_EPOCH"] = git("log", "-1", "--format=%ct", commit)
     with tempfile.TemporaryDirectory() as temporary:
         tree = Path(temporary, "tree")
-        export(tree)
+        export(commit, tree)
         for name, folder in FOLDERS.items():
             build_wheels(tree / folder, out, list(TARGETS) if compiled(tree, name) else [], variables)
             backend = "import sys; from setuptools import build_meta; build_meta.build_sdist(sys.argv[1])"
@@ -169,7 +170,7 @@ def build(out: Path, **variables: str) -> None:
         )
         write_bill(out, tree, Path(temporary, "installed"), variables)
     sums = "".join(f"{digest}  {name}\n" for name, digest in digests(out).items())
-    (out / SUMS).write_text(f"# pointpred {version()}, built from commit {git('rev-parse', 'HEAD')}\n{sums}")
+    (out / SUMS).write_text(f"# pointpred {version()}, built from commit {commit}\n{sums}")
 
 
 def build_wheels(folder: Path, out: Path, platforms: list[str], variables: dict[str, str]) -> None:
@@ -265,7 +266,7 @@ def problems() -> Iterator[str]:
         first, *lines = (DIST / SUMS).read_text("utf-8").splitlines()
         if not first.endswith(head):
             yield "dist was built from another commit"
-        if dict(reversed(line.split("  ")) for line in lines) != digests(DIST):
+        if {line[66:]: line[:64] for line in lines} != digests(DIST):
             yield f"files in dist are not those of dist/{SUMS}"
 
 

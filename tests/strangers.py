@@ -51,17 +51,13 @@ class Environment:
 
     def install(self, *names: str) -> None:
         """Install distributions, such as ``pointpred[client]``, and print the time and the size."""
-        wheels = []
-        pip = [self.python, "-m", "pip", "--quiet", "--disable-pip-version-check"]
-        for name, bracket, extras in (name.partition("[") for name in names):
-            place = self.folder / "wheels" / name
-            taken = ["download", "--no-index", "--no-deps", "--find-links", self.release, "-d", place, name]
-            subprocess.run([*pip, *taken], check=True)
-            wheels += [f"{wheel}{bracket}{extras}" for wheel in place.glob("*.whl")]
+        (source,) = self.release.glob("pointpred-*.tar.gz")
+        version = source.name.removeprefix("pointpred-").removesuffix(".tar.gz")
+        wanted = [f"{name}=={version}" for name in names]
+        pip: list[str | Path] = [self.python, "-m", "pip", "--quiet", "--disable-pip-version-check"]
         began = time.monotonic()
-        subprocess.run([*pip, "install", *wheels], check=True)
+        subprocess.run([*pip, "install", "--find-links", self.release, *wanted], check=True)
         took_s = time.monotonic() - began
-        shutil.rmtree(self.folder / "wheels")
         subprocess.run([*pip, "check"], check=True, stdout=subprocess.DEVNULL)
         print(
             f"{' '.join(names)}: {took_s:.0f} s, {(size(self.folder) - self.empty) / 1e6:.0f} MB", flush=True
@@ -73,7 +69,7 @@ class Environment:
 
     def command(self, *arguments: str) -> str:
         """What ``pointpred ...`` prints."""
-        command = [self.folder / SCRIPTS / "pointpred", *arguments]
+        command: list[str | Path] = [self.folder / SCRIPTS / "pointpred", *arguments]
         done = subprocess.run(command, cwd=self.folder, check=True, capture_output=True, encoding="utf-8")
         return done.stdout
 
@@ -95,7 +91,7 @@ def use_library(here: Environment) -> None:
 def use_service(here: Environment) -> None:
     """A service that is healthy, shows its page and predicts for a client."""
     here.install("pointpred-server")
-    command = [here.folder / SCRIPTS / "pointpred", "serve", "--port", "0"]
+    command: list[str | Path] = [here.folder / SCRIPTS / "pointpred", "serve", "--port", "0"]
     with subprocess.Popen(command, cwd=here.folder, stdout=subprocess.PIPE, text=True) as service:
         try:
             assert service.stdout is not None
