@@ -207,7 +207,8 @@ def write_bill(out: Path, tree: Path, place: Path, variables: dict[str, str]) ->
         project = tomllib.loads((tree / folder / "pyproject.toml").read_text("utf-8"))["project"]
         extras = sorted(set(project.get("optional-dependencies", {})) - {"dev"})
         wanted.append(f"{name}[{','.join(extras)}]=={version()}")
-    run([*PIP, "--python", python, "install", "-c", "constraints.txt", "--find-links", out, *wanted], tree)
+    taken: list[str | Path] = ["install", "--no-compile", "-c", "constraints.txt", "--find-links", out]
+    run([*PIP, "--python", python, *taken, *wanted], tree)
     file = out / f"pointpred-{version()}.cdx.json"
     tool: list[str | Path] = [sys.executable, "-m", "cyclonedx_py", "environment", python]
     run([*tool, "--output-reproducible", "--of", "JSON", "--sv", "1.6", "-o", file], tree, **variables)
