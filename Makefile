@@ -6,15 +6,14 @@ BIN = .venv/bin
 RUNS = .venv/.run
 SITE = .venv/.site
 READY = .venv/.ready
-ZIG = .venv/.zig
+TOOLS = .venv/.release
 MODULES = node_modules/.package-lock.json
-WHEEL = PYTHONPATH='$(CURDIR)/$(ZIG)' $(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation -w dist
+RELEASE = $(TOOLS)/bin/python release.py
 LAWS = setup.py $(wildcard pointpred/laws/*.[ch])
 OBSERVERS_LAWS = $(wildcard observers/pointpred_observers/laws/*.[ch])
-COMPILED = . $(if $(OBSERVERS_LAWS),./observers)
 INSTALL = -m pip install --quiet --disable-pip-version-check -c constraints.txt --editable
 
-.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm container laws package wheels docs results train sample inputs audit fuzz fuzz-inputs clean help
+.PHONY: run demo test check format bench load load-short soak faults observers sanitize npm container laws package release release-again release-check strangers docs results train sample inputs audit fuzz fuzz-inputs clean help
 
 help:  ## show these lines
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 16
@@ -85,20 +84,17 @@ package: $(MODULES)  ## pack the npm package, with its files for a script tag, i
 	mkdir -p dist
 	cd server/pointpred_server/web/lib && npm pack --silent --pack-destination '$(CURDIR)/dist'
 
-wheels: $(READY) $(ZIG)  ## build every wheel and source distribution into dist, with zig for Linux, macOS and Windows
-	rm -rf dist
-	for platform in $$($(BIN)/python -c 'import setup; print(*setup.TARGETS)'); do \
-		for folder in $(COMPILED); do \
-			rm -rf "$$folder/build" && $(WHEEL) "--config-settings=--build-option=--plat-name=$$platform" "$$folder" || exit; \
-		done; done
-	$(WHEEL) $(filter-out $(COMPILED),./server ./observers)
-	for folder in . server observers; do (cd "$$folder" && '$(CURDIR)/$(BIN)/python' -W ignore -c \
-		"from setuptools import build_meta; build_meta.build_sdist('$(CURDIR)/dist')" >/dev/null) || exit; done
-	rm -rf build observers/build server/build
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-index --no-deps --find-links dist --target dist/tried pointpred
-	PYTHONPATH=dist/tried $(BIN)/python -P -c 'import pointpred._laws; print("tried here:", pointpred._laws.__file__)'
-	rm -r dist/tried
-	@echo 'the wheels of other platforms in dist are untried: install each there and run: pointpred doctor'
+release: $(TOOLS)  ## build every file of the release into dist, and say what is left to do
+	$(RELEASE) build
+
+release-again: $(TOOLS)  ## build the release a second time, elsewhere, and compare every byte with dist
+	$(RELEASE) again
+
+release-check: $(TOOLS)  ## compare dist with the version, the tag and the changelog
+	$(RELEASE) check
+
+strangers:  ## install what lies in dist into empty environments, and use it as its users do
+	'$(PYTHON)' tests/strangers.py dist
 
 docs: $(READY)  ## write the pages made from code and from the measured numbers in evidence/
 	$(BIN)/python -m evidence
@@ -152,15 +148,17 @@ $(RUNS): pyproject.toml server/pyproject.toml constraints.txt $(LAWS)
 		"and '$(PYTHON)' is not: name another with make PYTHON=/path/to/python3.11" >&2; exit 1; }
 	@echo 'installing what running needs into .venv, about half a minute' >&2
 	'$(PYTHON)' -m venv .venv
-	$(BIN)/python $(INSTALL) '.[live,client]'
-	$(BIN)/python $(INSTALL) server
+	$(BIN)/python $(INSTALL) '.[live,client]' --editable server
 	$(BIN)/python -m compileall -q pointpred server
 	touch $(RUNS)
 
-# Beside the environment, which stays without a compiler of 100 MB.
-$(ZIG): | $(READY)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --target $(ZIG) \
-		"$$($(BIN)/python -c 'import setup; print(setup.ZIGLANG)')"
+# An environment of its own: a release needs a compiler of 400 MB, and nothing that the tests need.
+$(TOOLS): setup.py constraints.txt
+	'$(PYTHON)' -m venv --clear $(TOOLS)
+	$(TOOLS)/bin/python -m pip install --quiet --disable-pip-version-check -c constraints.txt setuptools
+	$(TOOLS)/bin/python -m pip install --quiet --disable-pip-version-check cyclonedx-bom==7.5.0 \
+		"$$($(TOOLS)/bin/python -c 'import setup; print(setup.ZIGLANG)')"
+	touch $(TOOLS)
 
 $(SITE): evidence/site/requirements.txt constraints.txt | $(RUNS)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -r evidence/site/requirements.txt

@@ -37,7 +37,7 @@ TARGETS = {
 }
 """Platforms that wheels are built for, and what zig calls them."""
 
-ZIGLANG = "ziglang==0.17.*"
+ZIGLANG = "ziglang==0.17.1"
 ZIG = [sys.executable, "-m", "ziglang"]
 FLAGS = ["-std=c11", "-O3", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden"]
 FLAGS += ["-Werror=implicit-function-declaration"]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pointpred.regions import Region
     from pointpred.registry import RECOMMENDED, REGISTRY, build
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "RECOMMENDED",

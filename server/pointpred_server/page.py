@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import posixpath
 import re
 from functools import cache
@@ -18,8 +19,9 @@ REST = ("page/page.js", "lib/intent/page-source.js")
 REGISTRY_MODULE = "lib/laws/registry.js"
 IMPORT = re.compile(r'^(?:import|export) (?:[^;"]*? from )?"(\.[^"]+)"', re.MULTILINE)
 LATER = re.compile(r'import\("(\.[^"]+)"\)')
-REPOSITORY = "https://github.com/pointpred/pointpred"
-"""Where the page's links to documents and source lead."""
+PACKAGE = json.loads((WEB / "lib" / "package.json").read_text(encoding="utf-8"))
+REPOSITORY = PACKAGE["repository"]["url"].removeprefix("git+").removesuffix(".git")
+"""Where the page's links to documents and source lead, as the npm package states it."""
 CHARSET = '<meta charset="utf-8">'
 POLICY = SECURITY_HEADERS["Content-Security-Policy"].replace("; frame-ancestors 'none'", "")
 """As the service sends it, but for what only a header can say: the page loads nothing from elsewhere."""

@@ -8,15 +8,12 @@ import shutil
 import subprocess
 import sys
 import sysconfig
-import tomllib
 import zipfile
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-import pointpred
 from tests.architecture.tree import PACKAGES, ROOT, module_of, package_files
 
 NEEDED = 77  # the first setuptools that reads a licence expression
@@ -46,19 +43,6 @@ for module in pkgutil.walk_packages(pointpred.__path__, "pointpred.", onerror=la
 from pointpred.reproduction.catalogue import entry_of
 assert "</svg>" in entry_of("2.11").make(None).draw().svg
 """
-
-
-def about(package: str) -> dict[str, Any]:
-    """What a distribution says of itself."""
-    text = (PACKAGES[package] / "pyproject.toml").read_text(encoding="utf-8")
-    project: dict[str, Any] = tomllib.loads(text)["project"]
-    return project
-
-
-def test_distributions_have_one_version() -> None:
-    versions = {name: about(name)["version"] for name in PACKAGES}
-    assert set(versions.values()) == {pointpred.__version__}, versions
-    assert f"pointpred=={pointpred.__version__}" in about("pointpred_server")["dependencies"]
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from pointpred import build, run
+from pointpred import __version__, build, run
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.files import beside
 from pointpred.predictors.kinematic import coefficient_file
@@ -163,7 +163,7 @@ def test_the_card_says_what_it_was_made_from(me: Path) -> None:
     said = coefficient_file.card(me)
     (one,) = said["sets"]
     assert (one["name"], one["licence"], one["users"], one["trials"]) == ("reaches", "unknown", 2, 60)
-    assert (said["seed"], said["start"], said["pointpred"]) == (5, coefficient_file.digest(), "0.1.0")
+    assert (said["seed"], said["start"], said["pointpred"]) == (5, coefficient_file.digest(), __version__)
     assert build("kinematic", coefficients=me).predictor.saw("reaches")  # type: ignore[attr-defined]
 
 
