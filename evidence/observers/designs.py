@@ -21,17 +21,7 @@ from evidence.data import Table, keep, stored
 from evidence.machine import machine
 from evidence.observers.plants import DOORS, KINDS, Problem
 from pointpred.errors import InfeasibleError, PointpredError
-from pointpred_observers import (
-    RecursiveLeastSquares,
-    UnknownInputObserver,
-    certify_convergence,
-    certify_interlaced,
-    certify_tracking,
-    design_observer,
-    invariant_observer,
-    regression_margin,
-    steady_state_map,
-)
+from pointpred_observers import RecursiveLeastSquares, invariant_observer, steady_state_map
 from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.examples import (
     ROBOT_INPUT_MODIFIED,
@@ -45,8 +35,12 @@ from pointpred_observers.examples import (
     vapours,
 )
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
+from pointpred_observers.thesis import certify_convergence, certify_tracking, regression_margin
+from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
 from pointpred_observers.unknown_input.gains import ROOMS
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 
 def least_gamma(p: mpmath.mpf, sigma: mpmath.mpf, bounds: dict[str, Any]) -> mpmath.mpf:
@@ -273,10 +267,12 @@ def camera() -> list[Fact]:
 
 
 EXAMPLES: dict[str, Callable[[], list[Fact]]] = {
-    "1": lambda: of_design("1", design_observer(*academic(), steady_state_map(*academic()).Pi)),
+    "1": lambda: of_design(
+        "1", DrivenObserver.design(*academic(), steady_state_map(*academic()).Pi, decay=0.0)
+    ),
     "2": bioreactor,
     "3": arm,
-    "4": lambda: of_design("4", design_observer(*chua_circuits(0.5), np.eye(3))),
+    "4": lambda: of_design("4", DrivenObserver.design(*chua_circuits(0.5), np.eye(3), decay=0.0)),
     "5": masses,
     "6": sensors,
     "7": estimates,

@@ -110,7 +110,7 @@ def test_every_kind_is_designed_and_simulated(
 def test_both_bounds_of_a_regulator_are_written_and_named(command: Command, tmp_path: Path) -> None:
     """Neither bounds x: the table had those of the slower one as if they bounded it."""
     plant = o.Persidskii([[0.0, 1.0], [-1.0, -1.0]], None, None, "sin", [0.0, 1.0], None, [1.0, 0.0])
-    design = o.design_regulator(plant, decay=1.0, observer_decay=3.0)
+    design = o.design(plant, "regulator", decay=1.0, observer_decay=3.0)
     o.save(design, tmp_path / "design.json")
     written = json.loads(command("observers", "audit", tmp_path / "design.json", "--json", "-").out)
     error, estimate = design.observer.bound, design.feedback.certificate.bound
@@ -123,7 +123,7 @@ def test_both_bounds_of_a_regulator_are_written_and_named(command: Command, tmp_
     shown = " ".join(command("observers", "audit", tmp_path / "design.json").out.split())
     for words in ("proved of x - Pi w", "proved of Pi w", f"{error.rate:.6g}", f"{estimate.rate:.6g}"):
         assert words in shown
-    alone = o.design_full_order(plant, decay=1.0)
+    alone = o.design(plant, "full", decay=1.0)
     o.save(alone, tmp_path / "alone.json")
     written = json.loads(command("observers", "audit", tmp_path / "alone.json", "--json", "-").out)
     assert written["bounds"]["error"] == {key: written[key] for key in ("rate", "overshoot", "gains")}
@@ -244,7 +244,7 @@ def test_no_command_replaces_what_it_reads(command: Command, tmp_path: Path) -> 
     other = tmp_path / "other.json"
     assert command("observers", "example", "tank", "--out", plant).code == 0
     assert command("observers", "example", "heating", "--out", generator).code == 0
-    o.save(o.design_full_order(o.load(plant), decay=0.1), design)
+    o.save(o.design(o.load(plant), "full", decay=0.1), design)
     (tmp_path / "motor.json").write_bytes(plant.read_bytes())
     before = {one: one.read_bytes() for one in (plant, design, generator)}
     driven = ("design", plant, generator)
@@ -271,7 +271,7 @@ def test_no_command_replaces_what_it_reads(command: Command, tmp_path: Path) -> 
 def test_results_replace_no_plant_and_no_design_but_older_results(command: Command, tmp_path: Path) -> None:
     plant, design, result = (tmp_path / name for name in ("tank.json", "design.json", "result.json"))
     assert command("observers", "example", "tank", "--out", plant).code == 0
-    o.save(o.design_full_order(o.load(plant), decay=0.1), design)
+    o.save(o.design(o.load(plant), "full", decay=0.1), design)
     before = plant.read_bytes()
     refused(command, 2, "--json", "audit", design, "--json", plant)
     assert plant.read_bytes() == before
@@ -284,7 +284,7 @@ def test_what_is_written_takes_its_place_when_it_is_whole(
 ) -> None:
     plant, design, signals = (tmp_path / name for name in ("tank.json", "design.json", "tank.csv"))
     assert command("observers", "example", "tank", "--out", plant).code == 0
-    o.save(o.design_full_order(o.load(plant), decay=0.1), design)
+    o.save(o.design(o.load(plant), "full", decay=0.1), design)
     signals.write_text("mine", encoding="utf-8")
     held = {one: one.read_bytes() for one in (plant, signals)}
 

@@ -139,8 +139,8 @@ def test_a_pi_that_overflows_proves_nothing() -> None:
 
 
 def test_a_full_order_observer_returns_the_state_once() -> None:
-    assert o.observer_stage(kept.design("full order")).update(0.0, None).shape == (2,)
-    assert o.observer_stage(kept.design("driven")).update(0.0, None).shape == (3,)
+    assert kept.design("full order").stage().update(0.0, None).shape == (2,)
+    assert kept.design("driven").stage().update(0.0, None).shape == (3,)
 
 
 def test_symbols_come_back_as_the_same_expressions() -> None:
@@ -211,7 +211,7 @@ def test_python_functions_are_passed_again() -> None:
     assert wrong.value.field == "f"
     again = decoded(text, functions={"f": growth, "A0": plant.given("A0")})
     assert np.array_equal(again.field(2.0, [0.3, -0.1]), plant.field(2.0, [0.3, -0.1]))
-    design = o.design_full_order(plant.at(0.0), decay=0.1)
+    design = o.design(plant.at(0.0), "full", decay=0.1)
     assert o.audit(design) == design.margins
     assert decoded(encoded(design), functions={"f": growth}).bound == design.bound
 

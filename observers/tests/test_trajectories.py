@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from pointpred.errors import DivergenceError, ParameterError
-from pointpred_observers import SeededSignal, trajectories, trajectory
+from pointpred_observers import trajectories, trajectory
+from pointpred_observers.trajectories import SeededSignal
 
 
 @pytest.mark.parametrize("integrator", ["rk4", "scipy"])

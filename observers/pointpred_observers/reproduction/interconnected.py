@@ -10,15 +10,12 @@ import numpy as np
 from pointpred.drawing import Panel, beside, drawing
 from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value, matrix_values
-from pointpred_observers import (
-    SeededSignal,
-    closed_loop,
-    design_observer,
-    residuals,
-    steady_state_map,
-    trajectory,
-)
+from pointpred_observers import steady_state_map, trajectory
 from pointpred_observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.interconnected.tracking import closed_loop
+from pointpred_observers.thesis import residuals
+from pointpred_observers.trajectories import SeededSignal
 
 SIMULATED = "simulated, from the printed initial conditions"
 INFLOWS = (12.7, 7.5)
@@ -32,7 +29,9 @@ def figure_3_3(_: Path | None) -> Reproduction:
     plant, generator = academic()
     maps = steady_state_map(plant, generator)
     printed_p, printed_u = np.array([[1.129, 0.332], [0.332, 0.611]]), np.array([[-2.837], [-0.03]])
-    design = design_observer(plant, generator, maps.Pi, gain=[[-2.973], [1.565]])
+    design = DrivenObserver.design(
+        plant, generator=generator, Pi=maps.Pi, gain=[[-2.973], [1.565]], decay=0.0
+    )
     g, m, noise = design.generator, design.gain, SeededSignal(1, 1, 0.05, period_s=0.05)
 
     def field(t: float, both: Any) -> Any:
