@@ -12,6 +12,7 @@ from pointpred_observers.interconnected.state_feedback import design_state_feedb
 from pointpred_observers.interconnected.steady_state import residuals
 from pointpred_observers.interconnected.tracking import (
     certify_tracking,
+    closed_loop,
     theorem_3_2_2,
     theorem_3_2_3,
 )
@@ -38,6 +39,7 @@ __all__ = [
     "certify_tracking",
     "check",
     "check_steady_state",
+    "closed_loop",
     "design_state_feedback",
     "linear_independence",
     "regression_margin",

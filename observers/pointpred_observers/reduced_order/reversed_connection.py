@@ -25,7 +25,6 @@ from pointpred_observers.matrices import (
     share,
 )
 from pointpred_observers.observer import Observer
-from pointpred_observers.persidskii import Persidskii
 from pointpred_observers.rounding import NO_DIGIT, without_rounding
 from pointpred_observers.simulations.persidskii import like, open_loop, walked
 from pointpred_observers.simulations.result import Simulation
@@ -78,7 +77,7 @@ class InvariantObserver(Observer):
     """
 
     kind: ClassVar[str] = "invariant"
-    plant: Persidskii
+    plant: Any = None  # set at once: it stands in place of the property of ``Observer``
 
     def __init__(
         self,
