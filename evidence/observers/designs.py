@@ -267,12 +267,15 @@ def camera() -> list[Fact]:
 
 
 EXAMPLES: dict[str, Callable[[], list[Fact]]] = {
-    "1": lambda: of_design(
-        "1", DrivenObserver.design(*academic(), steady_state_map(*academic()).Pi, decay=0.0)
-    ),
+    "1": lambda: of_design("1", DrivenObserver.design(academic()[0], generator=academic()[1], decay=0.0)),
     "2": bioreactor,
     "3": arm,
-    "4": lambda: of_design("4", DrivenObserver.design(*chua_circuits(0.5), np.eye(3), decay=0.0)),
+    "4": lambda: of_design(
+        "4",
+        DrivenObserver.design(
+            chua_circuits(0.5)[0], generator=chua_circuits(0.5)[1], Pi=np.eye(3), decay=0.0
+        ),
+    ),
     "5": masses,
     "6": sensors,
     "7": estimates,

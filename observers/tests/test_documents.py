@@ -17,7 +17,6 @@ from hypothesis import strategies as st
 import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers.documents.designs import margins_of
 from pointpred_observers.documents.files import VERSION, decoded, encoded
 from pointpred_observers.persidskii import NAMES
 
@@ -94,7 +93,7 @@ def test_a_design_comes_back_with_every_number_and_proof(name: str, tmp_path: Pa
     for place, one in left.items():
         assert one.tobytes() == right[place].tobytes(), place
     assert encoded(again) == encoded(design)
-    assert o.audit(again) == o.audit(design) == margins_of(design)
+    assert o.audit(again) == o.audit(design) == design.margins
     assert min(o.audit(design).values()) > -1e-9
 
 

@@ -109,6 +109,11 @@ def test_example_4_the_circuits_synchronise(integrator: str) -> None:
     assert np.abs(both[:, 0]).max() > 0.9  # it oscillates on
 
 
+def synchronised(reach: float) -> DrivenObserver:
+    plant, generator = chua_circuits(reach)
+    return DrivenObserver.design(plant, generator=generator, Pi=np.eye(3), decay=0.0)
+
+
 def test_example_4_no_valid_certificate_covers_the_trajectory() -> None:
     plant, generator = chua_circuits(1.0)
     p = [[0.223, -1.16, 0.087], [-1.16, 8.398, -0.589], [0.087, -0.589, 0.066]]
@@ -127,7 +132,7 @@ def test_example_4_no_valid_certificate_covers_the_trajectory() -> None:
     for gain in (None, CHUA_GAIN):
         with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
             DrivenObserver.design(plant, generator=generator, Pi=np.eye(3), gain=gain, decay=0.0)
-    near = DrivenObserver.design(*chua_circuits(0.5), np.eye(3), decay=0.0)
+    near = synchronised(0.5)
     assert min(near.margins.values()) > 0.0
     with pytest.raises(
         CertificateError, match=r"the trajectory reaches 0\.99, the slopes hold within 0\.5 only"
@@ -142,13 +147,11 @@ def test_two_solvers_agree_on_the_examples(solver: str) -> None:
     found = steady_state_map(plant, generator).Pi
     with solved_by(solver):
         first = DrivenObserver.design(plant, generator=generator, Pi=found, decay=0.0)
-        second = DrivenObserver.design(*chua_circuits(0.3), np.eye(3), decay=0.0)
+        second = synchronised(0.3)
     assert first.values["Gamma"][0, 0] == pytest.approx(
         DrivenObserver.design(plant, generator=generator, Pi=found, decay=0.0).values["Gamma"][0, 0], rel=1e-4
     )
-    assert second.values["Gamma"][0, 0] == pytest.approx(
-        DrivenObserver.design(*chua_circuits(0.3), np.eye(3), decay=0.0).values["Gamma"][0, 0], rel=1e-5
-    )
+    assert second.values["Gamma"][0, 0] == pytest.approx(synchronised(0.3).values["Gamma"][0, 0], rel=1e-5)
 
 
 @pytest.mark.parametrize("solver", ["CLARABEL", "CVXOPT"])

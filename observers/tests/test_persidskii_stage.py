@@ -127,9 +127,9 @@ def test_named_nonlinearities_are_what_their_names_say(name: str) -> None:
 
 PLAIN = """
 import numpy as np
-from pointpred_observers import PersidskiiObserver
+from pointpred_observers.thesis import PersidskiiStage
 for time in ("continuous", "discrete"):
-    stage = PersidskiiObserver(
+    stage = PersidskiiStage(
         [[-1.0, 2.0], [-2.0, -1.0]], np.ones((2, 5)), np.arange(10.0).reshape(5, 2) / 10.0, [1.0, 0.0],
         ["sin", "tanh", "atan", "saturation", "identity"], R1=np.ones((2, 5)), start=[0.1, -0.2], time=time,
     )

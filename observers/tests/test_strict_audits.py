@@ -163,7 +163,7 @@ def test_the_gap_of_a_file_is_a_claim(capsys: pytest.CaptureFixture[str]) -> Non
     assert wrong.value.field == "gap"
     print_audit(design, audit(design))
     assert "as stored, not recomputed" in " ".join(capsys.readouterr().out.split())
-    print_design("full-order", design)
+    print_design(design)
     assert "not recomputed" not in capsys.readouterr().out
     for stored, shown in ((1e9, None), (11.0, None), (9.5, 9.5), (None, None)):
         claimed = decoded(json.dumps({**document, "gap": stored}))
