@@ -247,7 +247,7 @@ def estimates() -> list[Fact]:
 
 def of_interlaced(name: str, row: list[float]) -> list[Fact]:
     """Theorem 4.4.1 for the oscillator of examples 8 and 9."""
-    certificate = certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [row], rate=0.25)
+    certificate = certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [row], decay=0.25)
     p, q, gamma, u = (exact(one) for one in (certificate.P, certificate.Q, certificate.Gamma, certificate.U))
     corner = p * exact([[0.0, 1.0], [-1.0, 0.0]]) - u * exact([row])
     c, sizes = least_ratio(q, p), values(p)

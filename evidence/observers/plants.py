@@ -149,7 +149,7 @@ def followed(one: Problem) -> Any:
 
 def interlaced(one: Problem) -> Any:
     """The observer of an interlaced system: a generator and the row that it shows."""
-    return certify_interlaced(one.inner(one.a), one.c[:1] * one.x / one.y[0], rate=one.decay)
+    return certify_interlaced(one.inner(one.a), one.c[:1] * one.x / one.y[0], decay=one.decay)
 
 
 def unknown(one: Problem) -> Any:

@@ -14,7 +14,7 @@ from pointpred_observers.interconnected.design import ObserverDesign
 from pointpred_observers.reduced_order.design import ReducedOrderDesign
 from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
 from pointpred_observers.rounding import without_rounding
-from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 
@@ -93,9 +93,7 @@ def _reduced(observer: ReducedOrderDesign) -> ErrorSystem:
 
 @_system.register
 def _interlaced(observer: InterlacedObserver) -> ErrorSystem:
-    gain = np.asarray(observer.certificate.L, np.float64)
-    a = observer.steady.generator.matrix() - gain @ output_matrix(observer.steady)
-    return _linear(a[None], -gain[None], {"v": gain.shape[1]}, ("",))
+    return observer.error_system()
 
 
 @_system.register

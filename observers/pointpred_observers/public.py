@@ -65,12 +65,21 @@ from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.simulate import simulate
 from pointpred_observers.trajectories import SeededSignal, trajectory
 from pointpred_observers.triangular.attraction import AttractionCertificate, assumption_4_4_2
-from pointpred_observers.triangular.forms import feedback, feedforward, interlaced
-from pointpred_observers.triangular.interlaced_certificate import InterlacedCertificate, theorem_4_4_1
-from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
-from pointpred_observers.triangular.interlaced_observer import InterlacedEstimate, InterlacedObserver
-from pointpred_observers.triangular.printed import check_steady_state
-from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.triangular.forms import interlaced
+from pointpred_observers.triangular.interlaced_observer import (
+    InterlacedCertificate,
+    InterlacedEstimate,
+    InterlacedObserver,
+    InterlacedStage,
+    theorem_4_4_1,
+)
+from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
+from pointpred_observers.triangular.system import (
+    SymbolicGenerator,
+    SymbolicSteadyState,
+    SymbolicSystem,
+    check_steady_state,
+)
 from pointpred_observers.unknown_input.boxes import Box
 from pointpred_observers.unknown_input.certificate import UnknownInputCertificate
 from pointpred_observers.unknown_input.corners import CornerSystem
@@ -94,6 +103,7 @@ __all__ = [
     "InterlacedCertificate",
     "InterlacedEstimate",
     "InterlacedObserver",
+    "InterlacedStage",
     "InvariantObserver",
     "L2Gain",
     "MatrixInequalities",
@@ -146,8 +156,6 @@ __all__ = [
     "design_state_feedback",
     "discrete_excitation",
     "error_system",
-    "feedback",
-    "feedforward",
     "interconnection_bound",
     "interlaced",
     "invariant_observer",

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import solve_sylvester
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred_observers.triangular.forms import feedforward
+from pointpred_observers.triangular.forms import interlaced
 from pointpred_observers.triangular.polynomials import composed
 from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
@@ -20,6 +20,12 @@ sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")
 X1, X2, X3 = X = sp.symbols("x1:4")
 OSCILLATOR = SymbolicGenerator((W1, W2), (W2, -W1))
+
+
+def feedforward(system: Any, generator: Any, ell: Any, degree: Any, **more: Any) -> SymbolicSteadyState:
+    return interlaced(system, generator, len(system.states), ell, degree, **more)
+
+
 FRACTION = st.fractions(min_value=-1, max_value=1, max_denominator=6)
 RATE = st.fractions(min_value=1, max_value=3, max_denominator=4)
 

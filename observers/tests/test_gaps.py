@@ -31,7 +31,7 @@ DOORS: dict[str, Any] = {
         certify_convergence(invariant_observer(two_masses(1.0), UNMEASURED, [[-1, 0], [0, 0]]), decay=0.2).gap
     ),
     "reduced order": lambda: design_reduced_order(two_masses(), UNMEASURED, decay=0.5, injection=True).gap,
-    "interlaced": lambda: certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 1.0]], rate=0.25).gap,
+    "interlaced": lambda: certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 1.0]], decay=0.25).gap,
     "unknown input": lambda: (
         UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.05), **CALM), 0.02).certificate.gap
     ),

@@ -12,7 +12,7 @@ from scipy.linalg import eigh, expm
 
 from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers.triangular.interlaced_certificate import (
+from pointpred_observers.triangular.interlaced_observer import (
     InterlacedCertificate,
     certificate,
     certify,
@@ -25,7 +25,7 @@ C = np.array([[1.0, 0.0]])
 
 
 def test_the_margins_are_those_of_the_matrices_returned() -> None:
-    found = certify(A, C, rate=0.4)
+    found = certify(A, C, decay=0.4)
     corner = found.P @ A - found.U @ C
     block = np.block([[corner + corner.T + found.Q, -found.U], [-found.U.T, -found.Gamma]])
     assert np.linalg.eigvalsh(block).max() < 0.0
@@ -38,7 +38,7 @@ def test_the_margins_are_those_of_the_matrices_returned() -> None:
 
 @cache
 def certified() -> InterlacedCertificate:
-    return certify(A, C, rate=0.25, gain=[[0.6245], [0.125]])
+    return certify(A, C, decay=0.25, gain=[[0.6245], [0.125]])
 
 
 @given(st.integers(0, 10**6))
@@ -98,7 +98,7 @@ def test_no_gain_is_returned_where_none_is_certified() -> None:
         certify(A, C, gain=[[-0.5], [0.0]])
     for rate in (0.0, -1.0, np.inf, np.nan):
         with pytest.raises(ParameterError, match="rate must be a positive number"):
-            certify(A, C, rate=rate)
+            certify(A, C, decay=rate)
 
 
 @pytest.mark.parametrize("row", [[1.0, 0.0], [1.0, 1.0]], ids=["example 8", "example 9"])

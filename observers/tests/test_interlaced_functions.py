@@ -37,7 +37,7 @@ def test_maps_of_any_function_run(name: str) -> None:
     symbolic, f, slope = CASES[name]
     maps = steady(symbolic)
     assert not computable(maps.maps)
-    observer = InterlacedObserver.design(maps, rate=1.0)
+    observer = InterlacedObserver.design(maps, decay=1.0)
     t = np.arange(0.0, 12.0, 0.05)
     rows = np.column_stack([t, 2.0 * np.cos(t)])
     rows[100:110, 1] = np.nan
@@ -55,10 +55,10 @@ def test_maps_of_any_function_run(name: str) -> None:
 
 def test_a_function_without_numbers_is_named() -> None:
     with pytest.raises(ParameterError, match="no numerical form"):
-        InterlacedObserver.design(steady(sp.Function("friction")), rate=1.0)
+        InterlacedObserver.design(steady(sp.Function("friction")), decay=1.0)
 
 
 def test_known_functions_stay_compiled() -> None:
     maps = steady(sp.tanh)
     assert computable((*maps.maps, maps.input))
-    assert InterlacedObserver.design(maps, rate=1.0)._function is None
+    assert InterlacedObserver.design(maps, decay=1.0)._function is None

@@ -20,7 +20,7 @@ from pointpred_observers import (
     undetectable,
 )
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.triangular.interlaced_certificate import certify
+from pointpred_observers.triangular.interlaced_observer import certify
 from pointpred_observers.unknown_input.boxes import Box
 from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 

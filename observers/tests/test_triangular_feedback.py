@@ -11,12 +11,16 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred_observers.triangular.forms import feedback
+from pointpred_observers.triangular.forms import interlaced
 from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")
 X = sp.symbols("x1:5")
+def feedback(system: Any, generator: Any, first: Any, **more: Any) -> SymbolicSteadyState:
+    return interlaced(system, generator, 0, first, **more)
+
+
 OSCILLATOR = SymbolicGenerator((W1, W2), (W2, -W1))
 
 

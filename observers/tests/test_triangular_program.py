@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.triangular import program as triangular_program
-from pointpred_observers.triangular.nonzero import prove_nonzero
+from pointpred_observers.triangular.ranges import prove_nonzero
 from pointpred_observers.triangular.program import ROW, program
 
 sp = pytest.importorskip("sympy")

@@ -132,7 +132,7 @@ def _interlaced(plant: SymbolicSystem, generator: SymbolicGenerator, wish: Wish)
             field="first",
         )
     steady = interlaced(plant, generator, wish.upper or 0, first, degree=DEGREE)
-    return InterlacedObserver.design(steady, rate=wish.decay)
+    return InterlacedObserver.design(steady, decay=wish.decay)
 
 
 def _generator(given: Any, wanted: type, kind: str, named: str) -> Any:

@@ -180,9 +180,7 @@ def _proved(design: Any) -> tuple[dict[str, ProvedBound], float]:
         proof = design.certificate
         return {"error": ProvedBound(0.5 * proof.sigma, proof.phi1, {"delta": proof.phi2})}, proof.gap
     if isinstance(design, InterlacedObserver):
-        shown = design.certificate
-        found = ProvedBound(shown.rate, shown.overshoot, {"noise": shown.noise_gain})
-        return {"error": found}, shown.gap
+        return {"error": _bound(design.bound, v="noise")}, design.gap
     if isinstance(design, ReducedOrderDesign):
         return {"error": _bound(design.certificate.bound)}, design.gap
     assert isinstance(design, ObserverDesign)

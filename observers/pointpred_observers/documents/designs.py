@@ -42,9 +42,11 @@ from pointpred_observers.reduced_order.reversed_connection import (
     InvariantObserver,
     invariant_observer,
 )
-from pointpred_observers.triangular.interlaced_certificate import InterlacedCertificate, theorem_4_4_1
-from pointpred_observers.triangular.interlaced_certificate import certificate as interlaced_certificate
-from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
+from pointpred_observers.triangular.interlaced_observer import (
+    InterlacedCertificate,
+    InterlacedObserver,
+    output_matrix,
+)
 from pointpred_observers.unknown_input.corners import CornerSystem
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
@@ -323,7 +325,7 @@ class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
 
     @classmethod
     def of(cls, thing: InterlacedObserver) -> Self:
-        """The document of an observer; its memory of samples is not kept."""
+        """The document of an observer."""
         proof = thing.certificate
         return cls(
             steady=SteadyStateDocument.of(thing.steady),
@@ -339,8 +341,8 @@ class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
         a, c = steady.generator.matrix(), output_matrix(steady)
         q, p = len(a), len(c)
         values = _matrices(self.certificate, {"P": (q, q), "Q": (q, q), "Gamma": (p, p), "U": (q, p)})
-        proof = interlaced_certificate(values, theorem_4_4_1(a, c).check(values), gap_of(self.gap))
-        return InterlacedObserver(steady, proof, start=self.start, gap_s=self.gap_s)
+        proof = InterlacedCertificate.audited(a, c, values, gap_of(self.gap))
+        return InterlacedObserver(steady, proof, matrix("start", self.start, q, 1).ravel(), self.gap_s)
 
 
 def margins_of(thing: Any) -> dict[str, float]:
@@ -359,8 +361,6 @@ def bounds_of(thing: Any) -> list[ErrorBound]:
     if isinstance(thing, RegulatorDesign):
         return [thing.observer.bound, thing.feedback.certificate.bound]
     proof = getattr(thing, "certificate", thing)
-    if isinstance(proof, InterlacedCertificate):
-        return [ErrorBound(proof.overshoot, proof.rate, (proof.noise_gain,), ("noise",))]
     bound = getattr(proof, "bound", None)
     return [bound] if isinstance(bound, ErrorBound) else []
 

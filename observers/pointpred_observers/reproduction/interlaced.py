@@ -69,7 +69,7 @@ def observed(
     steady: SymbolicSteadyState, rows: FloatArray, t: FloatArray, noise: float, **design: Any
 ) -> FloatArray:
     """The observer's answers to noisy outputs of the plant: w, x and u a row."""
-    observer = InterlacedObserver.design(steady, rate=RATE, **design)
+    observer = InterlacedObserver.design(steady, decay=RATE, **design)
     v = SeededSignal(8, 1, noise, period_s=PERIOD_S)
     measured = outputs_of(steady.system, rows[:, 2:]) + np.array([v(one) for one in t])
     table = np.column_stack([t, measured])

@@ -38,11 +38,7 @@ def interlaced(observer: InterlacedObserver, plant: Any, setting: Setting) -> Si
     both = run(field, setting.begin(q + n), times, discrete=False)
     driving, state = both[:, :q], both[:, q:]
     outputs = setting.measured(outputs_of(system, state))
-    stage = InterlacedObserver(
-        steady,
-        observer.certificate,
-        start=setting.begin(q, "estimate", 0.0),
-    )
+    stage = observer.stage(start=setting.begin(q, "estimate", 0.0))
     table = np.column_stack([times, outputs])
     answers = stage.walk(np.zeros(len(table), np.bool_), table)
     none = np.zeros((len(times), 0))
