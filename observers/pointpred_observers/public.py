@@ -50,16 +50,12 @@ from pointpred_observers.reduced_order.reversed_connection import (
 )
 from pointpred_observers.regressors.excitation import (
     Excitation,
-    discrete_excitation,
+    RegressionMargin,
     linear_independence,
     persistent_excitation,
-)
-from pointpred_observers.regressors.gradient import GradientRegressor
-from pointpred_observers.regressors.nonlinear_regression import (
-    NonlinearRegressor,
-    RegressionMargin,
     regression_margin,
 )
+from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
 from pointpred_observers.simulations.regressions import Regression
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.simulate import simulate
@@ -154,7 +150,6 @@ __all__ = [
     "design_reduced_order",
     "design_regulator",
     "design_state_feedback",
-    "discrete_excitation",
     "error_system",
     "interconnection_bound",
     "interlaced",

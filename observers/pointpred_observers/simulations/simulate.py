@@ -15,8 +15,7 @@ from pointpred_observers.interconnected.generator import Generator
 from pointpred_observers.interconnected.regulator import RegulatorDesign
 from pointpred_observers.reduced_order.design import ReducedOrderDesign
 from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
-from pointpred_observers.regressors.gradient import GradientRegressor
-from pointpred_observers.regressors.nonlinear_regression import NonlinearRegressor
+from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
 from pointpred_observers.simulations import parameter_varying, persidskii, regressions, symbolic
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
