@@ -17,6 +17,8 @@ from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSte
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")
 X = sp.symbols("x1:5")
+
+
 def feedback(system: Any, generator: Any, first: Any, **more: Any) -> SymbolicSteadyState:
     return interlaced(system, generator, 0, first, **more)
 

@@ -14,9 +14,7 @@ LONGEST = 20_000
 DIGITS_MOST = 4096
 """Most bits of a power of numbers."""
 CONSTANTS = ("pi", "E")
-CALLED = (
-    *("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sqrt"),
-)
+CALLED = (*("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sqrt"),)
 
 
 def text_of(expression: Any) -> str:

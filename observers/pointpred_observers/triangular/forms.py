@@ -118,7 +118,9 @@ class _Solving:
     ) -> None:
         self.system, self.generator, self.degree, self.region = system, generator, degree, region
         self.maps, self.imposed = maps, [z for z in system.zero if z in maps]
-        self.rows = dict(zip((*system.states, *system.zero), (*system.field, *system.zero_field), strict=True))
+        self.rows = dict(
+            zip((*system.states, *system.zero), (*system.field, *system.zero_field), strict=True)
+        )
         self.symbols = {*self.rows, system.input}
         self.free: list[Free] = []
         self.series_used = False
@@ -145,9 +147,7 @@ class _Solving:
         system, degree = self.system, self.degree if self.series_used else None
         maps, zero = (tuple(self.maps[x] for x in part) for part in (system.states, system.zero))
         left, ell = tuple(residuals.values()), self.maps[system.input]
-        return SymbolicSteadyState(
-            system, self.generator, maps, zero, ell, left, degree, tuple(self.free)
-        )
+        return SymbolicSteadyState(system, self.generator, maps, zero, ell, left, degree, tuple(self.free))
 
     def _missing(self, x: Any, besides: set[Any]) -> set[Any]:
         """The symbols of a row that are not solved yet."""

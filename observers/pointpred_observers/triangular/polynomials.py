@@ -185,7 +185,9 @@ def power_series(
         answers = list(sp.linsolve(equations, *symbols))
         if not answers:
             raise InfeasibleError(_resonance(unknowns, slopes, turn, left, k))
-        solved = [one.subs(dict(zip(symbols, answers[0], strict=True))) for one in map(sp.Poly.as_expr, guess)]
+        solved = [
+            one.subs(dict(zip(symbols, answers[0], strict=True))) for one in map(sp.Poly.as_expr, guess)
+        ]
         open_symbols = [c for c in symbols if any(entry.has(c) for entry in answers[0])]
         for x, one in zip(unknowns, solved, strict=True):
             values[x] += sp.Poly(sp.cancel(one.subs(dict.fromkeys(open_symbols, 0))), *over)
@@ -195,9 +197,7 @@ def power_series(
     return {x: values[x].as_expr() for x in unknowns}, free
 
 
-def _resonance(
-    unknowns: Sequence[Any], slopes: Any, turn: Sequence[Any], left: Sequence[Any], k: int
-) -> str:
+def _resonance(unknowns: Sequence[Any], slopes: Any, turn: Sequence[Any], left: Sequence[Any], k: int) -> str:
     """The error message if no series exists: the degree, the equations and the coinciding eigenvalues."""
     names = ", ".join(f"{x}'" for x, one in zip(unknowns, left, strict=True) if not one.is_zero)
     message = f"resonance at degree {k} in {names}: no power series satisfies the equation"

@@ -260,9 +260,7 @@ def check_steady_state(
     left, n = tuple(residuals.values()), len(system.states)
     *found, ell = values.values()
     found_degree = degree if any(one != 0 for one in left) else None
-    return SymbolicSteadyState(
-        system, generator, tuple(found[:n]), tuple(found[n:]), ell, left, found_degree
-    )
+    return SymbolicSteadyState(system, generator, tuple(found[:n]), tuple(found[n:]), ell, left, found_degree)
 
 
 def known_degree(degree: Any) -> int | None:
