@@ -253,9 +253,14 @@ def of_interlaced(name: str, row: list[float]) -> list[Fact]:
     c, sizes = least_ratio(q, p), values(p)
     whole = stacked([[corner + corner.T + q, -u], [-u.T, -gamma]])
     return [
-        (name, "rate, 1/s", certificate.rate, c / 2),
-        (name, "overshoot", certificate.overshoot, mpmath.sqrt(sizes[-1] / sizes[0])),
-        (name, "gain of the noise", certificate.noise_gain, mpmath.sqrt(values(gamma)[-1] / (c * sizes[0]))),
+        (name, "rate, 1/s", certificate.bound.rate, c / 2),
+        (name, "overshoot", certificate.bound.overshoot, mpmath.sqrt(sizes[-1] / sizes[0])),
+        (
+            name,
+            "gain of the noise",
+            certificate.bound.gains[0],
+            mpmath.sqrt(values(gamma)[-1] / (c * sizes[0])),
+        ),
         (name, "margin of (4.16)", certificate.margins["the matrix of (4.16)"], -values(whole)[-1]),
     ]
 

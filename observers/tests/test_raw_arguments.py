@@ -43,7 +43,7 @@ TAKING: dict[str, Callable[[Any], Any]] = {
     "decay must be finite and above 0": lambda v: design_reduced_order(PLANT, decay=v),
     "sigma must be positive and finite": lambda v: unknown_input(sigma=v),
     NOT_NEEDED: lambda v: unknown_input(output_rate=v),
-    "rate must be a positive number": lambda v: certify([[0.0]], [[1.0]], rate=v),
+    "decay must be finite and above 0, received": lambda v: certify([[0.0]], [[1.0]], decay=v),
     "tolerance must lie in": lambda v: invariant_observer(PLANT, [[0.0, 1.0]], [[-3.0]], tolerance=v),
 }
 

@@ -120,7 +120,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     ),
     (o.theorem_3_3_2, {"observer": REDUCED.observer, "slopes": (0, 1), "gamma": 1.0, "times": None}),
     (o.theorem_4_4_1, {"a": [[0.0]], "c": [[1.0]]}),
-    (o.certify_interlaced, {"a": [[0.0]], "c": [[1.0]], "rate": 0.5, "gain": [[1.0]]}),
+    (o.certify_interlaced, {"a": [[0.0]], "c": [[1.0]], "decay": 0.5, "gain": [[1.0]]}),
     (o.undetectable, {"A": [[0.0]], "C": [[1.0]], "time": "continuous"}),
     (o.invariant_zeros, {"a": np.eye(2), "f": np.eye(2, 1), "c": np.eye(1, 2)}),
     (o.zeros_over, {"system": VARYING, "box": BOX}),
@@ -139,17 +139,17 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     ),
     (o.UnknownInputObserver.design, {"system": VARYING, "box": BOX, "sigma": 1.0, "output_rate": 5.0}),
     (
-        o.feedback,
+        o.interlaced,
         {
             "system": CHAIN,
             "generator": CIRCLE,
+            "upper": 0,
             "first": W1,
             "zero": None,
             "degree": 2,
             "region": {W1: (-1, 1), W2: (-1, 1)},
         },
     ),
-    (o.feedforward, {"system": SYSTEM, "generator": CIRCLE, "input": W1, "degree": 2, "zero": None}),
     (
         o.interlaced,
         {"system": SYSTEM, "generator": CIRCLE, "upper": 1, "first": W1, "degree": 2, "region": None},
@@ -158,7 +158,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (o.SymbolicSystem, {"states": (X1, X2), "field": (-X1, U), "input": U, "zero": (), "outputs": (X1,)}),
     (
         o.InterlacedObserver.design,
-        {"steady": STEADY, "rate": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
+        {"steady": STEADY, "decay": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
     ),
     (check_map, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "rounding": 0.1}),
     (
@@ -268,6 +268,6 @@ def test_matrices_and_regions_in_the_forms_that_people_write() -> None:
     fixed = o.ParameterVaryingSystem([[-1.0, 1.0], [0.0, -2.0]], [[1.0], [0.0]], [[1.0, 0.0]])
     assert o.UnknownInputObserver.design(fixed, o.Box({"any": (0.0, 1.0)}), 0.5).certificate.margin > 0.0
     for region in ({W1: (-1.0, 1.0), "w2": (-1.0, 1.0)}, [(-1.0, 1.0), (-1.0, 1.0)]):
-        assert o.feedback(CHAIN, CIRCLE, W1, region=region).exact
+        assert o.interlaced(CHAIN, CIRCLE, 0, W1, region=region).exact
     with pytest.raises(ParameterError, match="region needs w2, received"):
-        o.feedback(CHAIN, CIRCLE, W1, region={W1: (-1.0, 1.0)})
+        o.interlaced(CHAIN, CIRCLE, 0, W1, region={W1: (-1.0, 1.0)})
