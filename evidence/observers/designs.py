@@ -15,6 +15,7 @@ from typing import Any
 
 import mpmath
 import numpy as np
+from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
 
 from evidence.arguments import parse
 from evidence.data import Table, keep, stored
@@ -38,7 +39,6 @@ from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
 from pointpred_observers.thesis import certify_convergence, certify_tracking, regression_margin
-from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
 from pointpred_observers.unknown_input.gains import ROOMS
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
@@ -241,15 +241,20 @@ def estimates() -> list[Fact]:
 
 def of_interlaced(name: str, row: list[float]) -> list[Fact]:
     """Theorem 4.4.1 for the oscillator of examples 8 and 9."""
-    certificate = certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [row], rate=0.25)
+    certificate = certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [row], decay=0.25)
     p, q, gamma, u = (exact(one) for one in (certificate.P, certificate.Q, certificate.Gamma, certificate.U))
     corner = p * exact([[0.0, 1.0], [-1.0, 0.0]]) - u * exact([row])
     c, sizes = least_ratio(q, p), values(p)
     whole = stacked([[corner + corner.T + q, -u], [-u.T, -gamma]])
     return [
-        (name, "rate, 1/s", certificate.rate, c / 2),
-        (name, "overshoot", certificate.overshoot, mpmath.sqrt(sizes[-1] / sizes[0])),
-        (name, "gain of the noise", certificate.noise_gain, mpmath.sqrt(values(gamma)[-1] / (c * sizes[0]))),
+        (name, "rate, 1/s", certificate.bound.rate, c / 2),
+        (name, "overshoot", certificate.bound.overshoot, mpmath.sqrt(sizes[-1] / sizes[0])),
+        (
+            name,
+            "gain of the noise",
+            certificate.bound.gains[0],
+            mpmath.sqrt(values(gamma)[-1] / (c * sizes[0])),
+        ),
         (name, "margin of (4.16)", certificate.margins["the matrix of (4.16)"], -values(whole)[-1]),
     ]
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
 
 from pointpred.errors import UndecidedError
 from pointpred.records import FloatArray
@@ -14,7 +15,6 @@ from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.stationary import filter_start
 from pointpred_observers.thesis import certify_convergence, certify_tracking
-from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 KINDS = ("random", "stiff", "slow", "badly scaled", "nearly unobservable")
@@ -142,7 +142,7 @@ def followed(one: Problem) -> Any:
 
 def interlaced(one: Problem) -> Any:
     """The observer of an interlaced system: a generator and the row that it shows."""
-    return certify_interlaced(one.inner(one.a), one.c[:1] * one.x / one.y[0], rate=one.decay)
+    return certify_interlaced(one.inner(one.a), one.c[:1] * one.x / one.y[0], decay=one.decay)
 
 
 def unknown(one: Problem) -> Any:

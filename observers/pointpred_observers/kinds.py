@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.stage import CompiledStage
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
 from pointpred_observers.interconnected.generator import Generator
 from pointpred_observers.interconnected.regulator import Regulator
@@ -22,17 +21,18 @@ from pointpred_observers.simulations.persidskii import closed
 from pointpred_observers.simulations.regressions import Regression
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
-from pointpred_observers.triangular.system import SymbolicSystem
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
+from pointpred_observers.triangular.system import SymbolicSteadyState, SymbolicSystem
 from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
-KINDS: dict[str, tuple[type[Observer], type]] = {
+KINDS: dict[str, tuple[type[Observer], Any]] = {
     one.kind: (one, plant)
     for one, plant in (
         (FullOrderObserver, Persidskii),
         (ReducedOrderObserver, Persidskii),
         (DrivenObserver, Persidskii),
         (Regulator, Persidskii),
-        # BRIDGE (InterlacedObserver, SymbolicSystem),
+        (InterlacedObserver, SymbolicSystem | SymbolicSteadyState),
         # BRIDGE (UnknownInputObserver, ParameterVaryingSystem),
     )
 }
@@ -76,7 +76,7 @@ def design(plant: Any, kind: str | None = None, *, decay: float = 1.0, **options
     >>> running.update(0.0, [0.1, 0.0]).tolist()  # t, then the output and the input
     [0.0, 0.0]
     """
-    if not isinstance(plant, SymbolicSystem | ParameterVaryingSystem):
+    if not isinstance(plant, SymbolicSystem | SymbolicSteadyState | ParameterVaryingSystem):
         plant = as_plant(plant)
     if kind is None:
         kind = _fitting(plant, options)
@@ -85,7 +85,8 @@ def design(plant: Any, kind: str | None = None, *, decay: float = 1.0, **options
     observer, wanted = KINDS[kind]
     if not isinstance(plant, wanted):
         raise ParameterError(
-            f"kind {kind!r} needs a {wanted.__name__}, received a {type(plant).__name__}", field="kind"
+            f"kind {kind!r} needs a {getattr(wanted, '__name__', wanted)}, received a {type(plant).__name__}",
+            field="kind",
         )
     known = dict(signature(observer.design).parameters)
     del known["plant"], known["decay"]
@@ -104,7 +105,7 @@ def _fitting(plant: Any, options: dict[str, Any]) -> str:
     """The kind of observer for a plant where none is named."""
     if isinstance(plant, ParameterVaryingSystem):
         return "unknown-input"
-    if isinstance(plant, SymbolicSystem):
+    if isinstance(plant, SymbolicSystem | SymbolicSteadyState):
         return "interlaced"
     if options.get("generator") is not None:
         return "driven"
@@ -112,7 +113,7 @@ def _fitting(plant: Any, options: dict[str, Any]) -> str:
     return "reduced" if independent and plant.p < plant.n and not plant.C1.any() else "full"
 
 
-def stage(observer: Observer, **settings: Any) -> CompiledStage:
+def stage(observer: Observer, **settings: Any) -> Any:
     """An observer in a loop: ``update(t, inputs)`` of each sample gives the estimate; see its kind's class.
 
     ``settings``: ``start`` of the estimate, ``gap_s``, ``step_s`` and others of the kind.

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 if TYPE_CHECKING:
     from pointpred.records import FloatArray
-    from pointpred.stage import CompiledStage
     from pointpred_observers.bounds import ErrorBound
     from pointpred_observers.documents.entries import Document
     from pointpred_observers.error_systems.system import ErrorSystem
@@ -69,7 +68,7 @@ class Observer:
         """The system that the error obeys, for ``l2_gain``, ``certify_decay`` and simulations."""
         raise NotImplementedError
 
-    def stage(self, **settings: Any) -> CompiledStage:
+    def stage(self, *args: Any, **settings: Any) -> Any:
         """The observer in a loop; its settings are those of the kind."""
         raise NotImplementedError
 

@@ -13,8 +13,7 @@ from pointpred_observers.observer import Observer
 from pointpred_observers.persidskii import Persidskii
 from pointpred_observers.reduced_order.reversed_connection import invariant_observer
 from pointpred_observers.regressors.excitation import persistent_excitation
-from pointpred_observers.regressors.gradient import GradientRegressor
-from pointpred_observers.regressors.nonlinear_regression import NonlinearRegressor
+from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
 from pointpred_observers.simulations.regressions import Regression
 from pointpred_observers.trajectories import trajectory
 from pointpred_observers.triangular.forms import interlaced

@@ -21,11 +21,10 @@ from pointpred_observers.reduced_order.reversed_certificate import (
     theorem_3_3_1,
     theorem_3_3_2,
 )
-from pointpred_observers.regressors.excitation import linear_independence
-from pointpred_observers.regressors.nonlinear_regression import regression_margin
+from pointpred_observers.regressors.excitation import linear_independence, regression_margin
 from pointpred_observers.triangular.attraction import assumption_4_4_2
-from pointpred_observers.triangular.interlaced_certificate import theorem_4_4_1
-from pointpred_observers.triangular.printed import check_steady_state
+from pointpred_observers.triangular.interlaced_observer import theorem_4_4_1
+from pointpred_observers.triangular.system import check_steady_state
 
 __all__ = [
     "MatrixInequalities",

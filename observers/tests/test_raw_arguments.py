@@ -14,7 +14,7 @@ from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import certify_tracking, undetectable
-from pointpred_observers.triangular.interlaced_certificate import certify
+from pointpred_observers.triangular.interlaced_observer import certify
 from pointpred_observers.unknown_input.boxes import Box
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 from pointpred_observers.unknown_input.system import ParameterVaryingSystem
@@ -40,7 +40,7 @@ TAKING: dict[str, Callable[[Any], Any]] = {
     "decay must be finite and above 0": lambda v: ReducedOrderObserver.design(PLANT, decay=v),
     "sigma must be positive and finite": lambda v: unknown_input(sigma=v),
     NOT_NEEDED: lambda v: unknown_input(output_rate=v),
-    "rate must be a positive number": lambda v: certify([[0.0]], [[1.0]], rate=v),
+    "decay must be finite and above 0, received": lambda v: certify([[0.0]], [[1.0]], decay=v),
     "tolerance must lie in": lambda v: invariant_observer(PLANT, [[0.0, 1.0]], [[-3.0]], tolerance=v),
 }
 

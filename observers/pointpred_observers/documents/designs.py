@@ -1,4 +1,4 @@
-"""Designs of unknown-input and interlaced observers as JSON."""
+"""Designs of unknown-input observers as JSON."""
 
 from __future__ import annotations
 
@@ -18,11 +18,7 @@ from pointpred_observers.documents.entries import (
     plain,
 )
 from pointpred_observers.documents.plants import ParameterVaryingDocument
-from pointpred_observers.documents.symbolic_plants import SteadyStateDocument
 from pointpred_observers.matrices import matrix
-from pointpred_observers.triangular.interlaced_certificate import certificate as interlaced_certificate
-from pointpred_observers.triangular.interlaced_certificate import theorem_4_4_1
-from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
 from pointpred_observers.unknown_input.corners import CornerSystem
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
@@ -63,34 +59,3 @@ class UnknownInputDocument(Document, tag="unknown-input observer", frozen=True):
         return UnknownInputObserver.certified(
             system, system.box, gains, values["P"], values["F"], self.sigma, gap_of(self.gap)
         )
-
-
-class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
-    """An ``InterlacedObserver``: the steady state, and the matrices of Theorem 4.4.1."""
-
-    steady: SteadyStateDocument
-    certificate: Values
-    start: list[float]
-    gap_s: float | None = None
-    gap: float | None = None
-
-    @classmethod
-    def of(cls, thing: InterlacedObserver) -> Self:
-        """The document of an observer; its memory of samples is not kept."""
-        proof = thing.certificate
-        return cls(
-            steady=SteadyStateDocument.of(thing.steady),
-            certificate=plain({name: getattr(proof, name) for name in ("P", "Q", "Gamma", "U")}),
-            gap=finite(proof.gap),
-            start=thing.start.tolist(),
-            gap_s=thing.gap_s,
-        )
-
-    def made(self, functions: Functions) -> InterlacedObserver:
-        """The observer: the equations of its maps and its inequalities audited."""
-        steady = self.steady.made(functions)
-        a, c = steady.generator.matrix(), output_matrix(steady)
-        q, p = len(a), len(c)
-        values = matrices_of(self.certificate, {"P": (q, q), "Q": (q, q), "Gamma": (p, p), "U": (q, p)})
-        proof = interlaced_certificate(values, theorem_4_4_1(a, c).check(values), gap_of(self.gap))
-        return InterlacedObserver(steady, proof, start=self.start, gap_s=self.gap_s)

@@ -13,8 +13,7 @@ from pointpred.records import FloatArray
 from pointpred.regression import RecursiveLeastSquares
 from pointpred_observers.matrices import matrix
 from pointpred_observers.nonlinearity import Nonlinearity, nonlinearity
-from pointpred_observers.regressors.gradient import GradientRegressor
-from pointpred_observers.regressors.nonlinear_regression import NonlinearRegressor
+from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 
