@@ -14,7 +14,7 @@ from pointpred_observers import interlaced, trajectory
 from pointpred_observers.examples import SPRINGS, interlaced_masses, interlaced_states
 from pointpred_observers.reproduction.figures import figure, panel
 from pointpred_observers.trajectories import SeededSignal
-from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, driven_field
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, driven_field, outputs_of
 from pointpred_observers.triangular.system import SymbolicSteadyState
 
 END_S, PERIOD_S = 30.0, 0.01
