@@ -36,7 +36,7 @@ MONOTONE = tuple(name for name, one in KNOWN.items() if one.low >= 0.0 and np.is
 
 
 class Memory(Layout):
-    """Unknowns n, outputs p, floats of a sample, kind of law, code of f, its steepest slope; then ``Parts``."""
+    """Unknowns n, outputs p, floats of a sample, kind of law, code of f, its slope; then ``Parts``."""
 
     count: float
     outputs: float
@@ -65,7 +65,7 @@ class Parts(NamedTuple):
 
 
 class Sample(NamedTuple):
-    """The regressor (p, n) and the outputs y (p), one behind the other; in the nonlinear law D1 is the last."""
+    """The regressor (p, n), then the outputs y (p); in the nonlinear law D1 follows them."""
 
     D: FloatTable
     y: FloatArray
@@ -251,7 +251,7 @@ class _Estimator(CompiledStage):
     def _taken(
         self, regressor: ArrayLike, output: ArrayLike, weights: list[float], t: Any
     ) -> FloatArray | None:
-        """The estimate after a sample, ``None`` where it is too steep; raises EventError for an invalid one."""
+        """The estimate after a sample, ``None`` where it is too steep; raises EventError."""
         memory = Memory(self._memory)
         started, last = parts_of(memory).clock.tolist()
         try:
