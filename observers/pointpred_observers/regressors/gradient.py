@@ -418,16 +418,16 @@ def _positive(count: int, gain: ArrayLike) -> FloatArray:
     def wrong(must: str) -> ParameterError:
         return ParameterError(f"gain must {must}, received {gain!r}", field="gain", value=gain)
 
+    shapes = f"be a finite number, {count} or {count} x {count}"
     try:
-        values = np.asarray(gain, np.float64)
+        values = np.array(gain, np.float64)
     except (TypeError, ValueError) as unusable:
-        raise wrong("be numbers") from unusable
+        raise wrong(shapes) from unusable
     if values.shape not in ((), (count,), (count, count)) or not np.isfinite(values).all():
-        raise wrong(f"be a finite number, {count} or {count} x {count}")
-    matrix = np.diag(np.broadcast_to(values, count)) if values.ndim < 2 else values
-    if np.abs(matrix - matrix.T).max() > 1e-12 * np.abs(matrix).max():
+        raise wrong(shapes)
+    square = values if values.ndim == 2 else np.diag(np.broadcast_to(values, count))
+    if np.abs(square - square.T).max() > 1e-12 * np.abs(square).max():
         raise wrong("be symmetric")
-    least = float(np.linalg.eigvalsh(matrix).min())
-    if least <= 0.0:
+    if (least := float(np.linalg.eigvalsh(square).min())) <= 0.0:
         raise wrong(f"be positive definite, its least eigenvalue is {least:g}")
-    return np.array(matrix, np.float64)
+    return square
