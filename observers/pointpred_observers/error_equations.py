@@ -100,12 +100,7 @@ def _interlaced(observer: InterlacedObserver) -> ErrorSystem:
 
 @_system.register
 def _unknown_input(observer: UnknownInputObserver) -> ErrorSystem:
-    system, box = observer.system, observer.box
-    points = [box.named(vertex) for vertex in box.vertices]
-    gains = observer.gains.matrices
-    a = np.array([system.gamma(p) - k @ system.c for p, k in zip(points, gains, strict=True)])
-    names = tuple(", ".join(f"{key} = {value:g}" for key, value in p.items()) for p in points)
-    return _linear(a, np.array([system.t(p) for p in points]), {"delta": a.shape[1]}, names, system.time)
+    return observer.error_system()
 
 
 def _linear(

@@ -73,12 +73,13 @@ from pointpred_observers.triangular.printed import check_steady_state
 from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 from pointpred_observers.unknown_input.boxes import Box
 from pointpred_observers.unknown_input.certificate import UnknownInputCertificate
-from pointpred_observers.unknown_input.corners import CornerSystem
-from pointpred_observers.unknown_input.invariant_zeros import invariant_zeros
-from pointpred_observers.unknown_input.observer import UnknownInputObserver, zeros_over
-from pointpred_observers.unknown_input.run import UnknownInputEstimate, UnknownInputSample
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
-from pointpred_observers.unknown_input.takagi_sugeno import TakagiSugeno
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.stage import UnknownInputEstimate, UnknownInputSample
+from pointpred_observers.unknown_input.system import (
+    CornerSystem,
+    ParameterVaryingSystem,
+    invariant_zeros,
+)
 
 __all__ = [
     "AttractionCertificate",
@@ -118,7 +119,6 @@ __all__ = [
     "SymbolicGenerator",
     "SymbolicSteadyState",
     "SymbolicSystem",
-    "TakagiSugeno",
     "TrackingCertificate",
     "UnknownInputCertificate",
     "UnknownInputEstimate",
@@ -174,5 +174,4 @@ __all__ = [
     "theorem_4_4_1",
     "trajectory",
     "undetectable",
-    "zeros_over",
 ]

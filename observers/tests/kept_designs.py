@@ -70,9 +70,9 @@ MAKERS = {
     "driven": lambda: o.design_observer(DRIVEN, CONSTANT, [[1.0], [2.0]], decay=1.0),
     "regulator": lambda: o.design_regulator(PENDULUM, decay=1.0),
     "servo": _servo,
-    "unknown input": lambda: o.UnknownInputObserver.design(WING, WING.box, sigma=1.0),
+    "unknown input": lambda: o.UnknownInputObserver.design(WING, WING.box, decay=0.5),
     "unknown input, discrete": lambda: o.UnknownInputObserver.design(
-        SAMPLED_WING, SAMPLED_WING.box, sigma=0.3
+        SAMPLED_WING, SAMPLED_WING.box, decay=0.15
     ),
     "interlaced": _interlaced,
 }
@@ -110,5 +110,5 @@ def numbers(thing: Any) -> dict[str, np.ndarray[Any, Any]]:
     }
     walk("", parts)
     if "gains" in parts:
-        found["gains"] = thing.gains.matrices
+        found["gains"] = thing.gains
     return {name: one for name, one in found.items() if "margins" not in name}

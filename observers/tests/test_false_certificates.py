@@ -38,7 +38,7 @@ def test_a_small_matrix_must_be_symmetric_to_the_last_bit(name: str) -> None:
     system = o.CornerSystem(
         o.Box({"k": (1.0, 3.0)}), A=[a, a], F=[[0.0], [0.0], [1.0]], C=[[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
     )
-    file = json.loads(encoded(o.UnknownInputObserver.design(system, system.box, sigma=1.0)))
+    file = json.loads(encoded(o.UnknownInputObserver.design(system, system.box, decay=0.5)))
     gain = [[-4.0, 0.0], [-1.0, 0.0], [0.0, 5.0]]  # N has the eigenvalue 3
     skew = np.diag([1e-12] * 3)
     skew[0, 1] = -5e-9
@@ -58,7 +58,7 @@ def test_designs_of_our_own_are_symmetric_to_the_last_bit() -> None:
             C=[[1.0, 0.3]],
             time=time,
         )
-        proof = o.UnknownInputObserver.design(system, system.box, sigma=0.3).certificate
+        proof = o.UnknownInputObserver.design(system, system.box, decay=0.15).certificate
         assert proof.force is not None
         assert np.array_equal(proof.p, proof.p.T)
         assert np.array_equal(proof.force, proof.force.T)
@@ -70,14 +70,14 @@ def test_gains_that_overflow_are_refused_in_words(entry: float, time: str) -> No
     shift = np.eye(2) if time == "continuous" else np.zeros((2, 2))
     corners = [np.array([[0.5, 0.1], [last, 0.2]]) - shift for last in (-0.1, -0.3)]
     system = o.CornerSystem(o.Box({"k": (0.1, 0.3)}), A=corners, F=[[1.0], [0.0]], C=[[1.0, 0.0]], time=time)
-    design = o.UnknownInputObserver.design(system, system.box, sigma=0.3)
-    gains, proof = design.gains.matrices.copy(), design.certificate
+    design = o.UnknownInputObserver.design(system, system.box, decay=0.15)
+    gains, proof = design.gains.copy(), design.certificate
     gains[1][0][0] = entry
     assert proof.force is not None
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         with pytest.raises((CertificateError, ParameterError), match=r"too large|\(27c\) has the eigenvalue"):
-            o.UnknownInputObserver.certified(system, system.box, gains, proof.p, proof.force, proof.sigma)
+            o.UnknownInputObserver.certified(system, system.box, gains, proof.p, proof.force, proof.decay)
 
 
 def test_numbers_that_overflowed_are_no_zero_division() -> None:

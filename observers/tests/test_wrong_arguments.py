@@ -123,7 +123,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (o.certify_interlaced, {"a": [[0.0]], "c": [[1.0]], "rate": 0.5, "gain": [[1.0]]}),
     (o.undetectable, {"A": [[0.0]], "C": [[1.0]], "time": "continuous"}),
     (o.invariant_zeros, {"a": np.eye(2), "f": np.eye(2, 1), "c": np.eye(1, 2)}),
-    (o.zeros_over, {"system": VARYING, "box": BOX}),
+    (o.invariant_zeros, {"a": VARYING, "f": BOX}),
     (o.Box, {"bounds": {"k": (0.0, 1.0)}}),
     (
         o.ParameterVaryingSystem,
@@ -137,7 +137,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
             "time": "continuous",
         },
     ),
-    (o.UnknownInputObserver.design, {"system": VARYING, "box": BOX, "sigma": 1.0, "output_rate": 5.0}),
+    (o.UnknownInputObserver.design, {"system": VARYING, "box": BOX, "decay": 0.5, "output_decay": 5.0}),
     (
         o.feedback,
         {

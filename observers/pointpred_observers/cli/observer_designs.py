@@ -72,7 +72,7 @@ def designed(plant: Any, generator: Any, wish: Wish) -> tuple[str, Any]:
     if kind == "regulator":
         return kind, design_regulator(one, decay=wish.decay)
     if kind == "unknown-input":
-        return kind, UnknownInputObserver.design(one, one.box, sigma=2.0 * wish.decay)
+        return kind, UnknownInputObserver.design(one, one.box, wish.decay)
     if kind == "driven":
         return kind, _driven(one, _generator(generator, Generator, kind, "generator"), wish)
     return kind, _interlaced(one, _generator(generator, SymbolicGenerator, kind, "symbolic generator"), wish)

@@ -177,8 +177,7 @@ def _proved(design: Any) -> tuple[dict[str, ProvedBound], float]:
         error = _bound(design.observer.bound, w="d")
         return {ERROR: error, ESTIMATE: _bound(design.feedback.certificate.bound)}, design.observer.gap
     if isinstance(design, UnknownInputObserver):
-        proof = design.certificate
-        return {"error": ProvedBound(0.5 * proof.sigma, proof.phi1, {"delta": proof.phi2})}, proof.gap
+        return {"error": _bound(design.bound)}, design.gap
     if isinstance(design, InterlacedObserver):
         shown = design.certificate
         found = ProvedBound(shown.rate, shown.overshoot, {"noise": shown.noise_gain})

@@ -45,8 +45,8 @@ from pointpred_observers.reduced_order.reversed_connection import (
 from pointpred_observers.triangular.interlaced_certificate import InterlacedCertificate, theorem_4_4_1
 from pointpred_observers.triangular.interlaced_certificate import certificate as interlaced_certificate
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, output_matrix
-from pointpred_observers.unknown_input.corners import CornerSystem
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.system import CornerSystem
 
 Values = dict[str, Rows | float]
 """Matrices of a certificate by their names in the theorem."""
@@ -279,7 +279,7 @@ class UnknownInputDocument(Document, tag="unknown-input observer", frozen=True):
 
     plant: ParameterVaryingDocument
     gains: list[Rows]
-    sigma: float
+    decay: float
     certificate: Values
     gap: float | None = None
 
@@ -289,14 +289,10 @@ class UnknownInputDocument(Document, tag="unknown-input observer", frozen=True):
         system, proof = thing.system, thing.certificate
         if not isinstance(system, CornerSystem) or system.box.bounds != thing.box.bounds:
             system = CornerSystem.of(system, thing.box)
-        if proof.force is None:
-            raise ParameterError(
-                "the certificate lacks the matrix F of the theorem: design the observer again"
-            )
         return cls(
             plant=ParameterVaryingDocument.of(system),
-            gains=thing.gains.matrices.tolist(),
-            sigma=proof.sigma,
+            gains=thing.gains.tolist(),
+            decay=proof.decay,
             certificate=_plain({"P": proof.p, "F": proof.force}),
             gap=finite(proof.gap),
         )
@@ -308,7 +304,7 @@ class UnknownInputDocument(Document, tag="unknown-input observer", frozen=True):
         values = _matrices(self.certificate, {"P": (n, n), "F": (n, n)})
         gains = np.array([matrix("gains", one, n, p) for one in self.gains])
         return UnknownInputObserver.certified(
-            system, system.box, gains, values["P"], values["F"], self.sigma, gap_of(self.gap)
+            system, system.box, gains, values["P"], values["F"], self.decay, gap_of(self.gap)
         )
 
 

@@ -45,9 +45,8 @@ from pointpred_observers.reduced_order.design import ReducedOrderDesign
 from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred_observers.unknown_input.corners import CornerSystem
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.unknown_input.system import CornerSystem, ParameterVaryingSystem
 
 FORMAT = "pointpred observers"
 VERSION = 1

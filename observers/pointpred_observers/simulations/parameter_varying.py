@@ -16,7 +16,7 @@ from pointpred_observers.matrices import instance
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, run, sampled
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.run import RunningUnknownInputObserver, UnknownInputSample
+from pointpred_observers.unknown_input.stage import UnknownInputSample
 from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
 
 
@@ -44,7 +44,7 @@ def unknown_inputs(observer: UnknownInputObserver, plant: Any, setting: Setting)
 
     state = run(field, start, times, discrete)
     outputs = setting.measured(state @ system.c.T)
-    running = RunningUnknownInputObserver(observer, setting.begin(n, "estimate", 0.0))
+    running = observer.stage(setting.begin(n, "estimate", 0.0))
     inputs, unknown = sampled(b, times), sampled(d, times)
     estimate, found = np.empty_like(state), np.full_like(unknown, np.nan)
     for i, t in enumerate(times.tolist()):

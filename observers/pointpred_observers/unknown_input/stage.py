@@ -1,20 +1,23 @@
-"""An unknown input observer at run time, for any system: samples in, estimates out, in plain numpy."""
+"""An unknown input observer at run time: samples in, estimates of the state and of the unknown input out."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from math import ceil, isfinite
-from typing import Protocol, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import msgspec
 import numpy as np
 
+from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred_observers.eigenvalues import perron_root
-from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.unknown_input.boxes import BORDER, Point
 from pointpred_observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
+
+if TYPE_CHECKING:
+    from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 Schedule = Callable[[FloatArray], Point]
 """The scheduling variables at a time as a function of the estimate; it holds the measured ones itself."""
@@ -22,6 +25,8 @@ SUBSTEP = 0.2
 """Longest step of an integration, a share of the shortest time constant."""
 STEPS_MOST = 100_000
 """Most steps between two samples: within as many time constants the steps grow with the interval."""
+BASE, TOTAL, STAGE, RATE, ESTIMATE = 0, 1, 2, 3, 4
+"""Rows of the space for a step: z at its begin, sums of rates, z and its rate now, x_hat now."""
 
 
 class UnknownInputSample(msgspec.Struct, frozen=True):
@@ -34,17 +39,6 @@ class UnknownInputSample(msgspec.Struct, frozen=True):
     y: FloatArray | None
     known: FloatArray
     schedule: Schedule
-
-
-class _Measured(msgspec.Struct, frozen=True):
-    """A sample as arrays, NaN for each missing output."""
-
-    t: float
-    y: FloatArray
-    known: FloatArray
-    schedule: Schedule
-    whole: bool
-    """Whether no output is missing."""
 
 
 class UnknownInputEstimate(msgspec.Struct, frozen=True):
@@ -63,65 +57,100 @@ class UnknownInputEstimate(msgspec.Struct, frozen=True):
     spread: FloatArray
 
 
-class Design(Protocol):
-    """The design that is run, an ``UnknownInputObserver``."""
+@law
+def mix(corners: FloatTable, axes: FloatTable, p: FloatArray, weights: FloatArray, block: FloatArray) -> bool:
+    """The matrices at a point of a box from those at its vertices, a row each; false for one outside.
 
-    system: ParameterVaryingSystem
-    box: Box
-
-    @property
-    def fastest(self) -> float:
-        """A bound of the rates of z, 1/s."""
-
-    def onward(self, estimate: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
-        """The next z in discrete time."""
-
-    def begin(self, estimate: FloatArray, point: Point) -> FloatArray:
-        """The z of an estimate."""
-
-    def estimate(self, z: FloatArray, y: FloatArray, point: Point) -> FloatArray:
-        """The estimate of a z."""
-
-    def matrices(self, point: Point) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """N, Y and T of z' = N z + Y y + T b at a point, in the form that runs."""
-
-
-class _Constant(msgspec.Struct, frozen=True):
-    """The matrices of an observer at a point at which the scheduling variables rest, and E, C A and C F.
-
-    ``onto`` is C A, ``None`` where the point lacks a variable of A.
+    ``axes``: low and high of each variable; the last one changes fastest.
     """
+    count = 1
+    weights[0] = 1.0
+    for axis in range(len(axes)):
+        low, high = axes[axis, 0], axes[axis, 1]
+        slack = BORDER * (high - low)
+        if not low - slack <= p[axis] <= high + slack:
+            return False
+        if low < high:
+            up = min(max((p[axis] - low) / (high - low), 0.0), 1.0)
+            for i in range(count - 1, -1, -1):
+                weights[2 * i + 1] = weights[i] * up
+                weights[2 * i] = weights[i] * (1.0 - up)
+            count *= 2
+    for j in range(len(block)):
+        block[j] = 0.0
+    for i in range(count):
+        if weights[i] != 0.0:
+            for j in range(len(block)):
+                block[j] += weights[i] * corners[i, j]
+    return True
 
-    point: Point
-    n: FloatArray
+
+@law
+def estimated(block: FloatArray, ends: FloatTable, s: float, space: FloatTable) -> None:
+    """x_hat = z - E y, with y at a share ``s`` of the interval between two samples."""
+    n = space.shape[1]
+    outputs = ends.shape[1] - n
+    at = n * n + n * outputs
+    for i in range(n):
+        total = space[STAGE, i]
+        for j in range(outputs):
+            y = (1.0 - s) * ends[0, j] + s * ends[1, j]
+            total -= block[at + i * outputs + j] * y
+        space[ESTIMATE, i] = total
+
+
+@law
+def push(
+    block: FloatArray, c: FloatTable, ends: FloatTable, s: float, part: int, h: float, space: FloatTable
+) -> None:
+    """One of the four rates of a step of ``h`` s by Runge-Kutta, at x_hat and a share ``s`` of the interval.
+
+    z' = Gamma x_hat + K (y - C x_hat) + T b.
+    """
+    n = space.shape[1]
+    outputs = ends.shape[1] - n
+    k_at, t_at = n * n, n * n + 2 * n * outputs
+    for i in range(n):
+        total = 0.0
+        for j in range(n):
+            b = (1.0 - s) * ends[0, outputs + j] + s * ends[1, outputs + j]
+            total += block[i * n + j] * space[ESTIMATE, j] + block[t_at + i * n + j] * b
+        space[RATE, i] = total
+    for k in range(outputs):
+        error = (1.0 - s) * ends[0, k] + s * ends[1, k]
+        for j in range(n):
+            error -= c[k, j] * space[ESTIMATE, j]
+        for i in range(n):
+            space[RATE, i] += block[k_at + i * outputs + k] * error
+    for i in range(n):
+        if part == 0:
+            space[BASE, i], space[TOTAL, i] = space[STAGE, i], 0.0
+        rate = space[RATE, i]
+        space[TOTAL, i] += rate if part == 0 or part == 3 else 2.0 * rate
+        if part == 3:
+            space[STAGE, i] = space[BASE, i] + h / 6.0 * space[TOTAL, i]
+        else:
+            space[STAGE, i] = space[BASE, i] + (h if part == 2 else 0.5 * h) * rate
+
+
+class _Measured(msgspec.Struct, frozen=True):
+    """A sample as arrays, NaN for each missing output."""
+
+    t: float
     y: FloatArray
-    t: FloatArray
-    e: FloatArray
-    onto: FloatArray | None
-    g: FloatArray
-    certified: bool
-
-    @classmethod
-    def at(cls, design: Design, point: Point) -> Self:
-        """The matrices of a design at a point."""
-        system = design.system
-        try:
-            onto = system.c @ system.a(point)
-        except KeyError:  # of a system that gives T A, A may need more variables
-            onto = None
-        e, g = system.e(point), system.c @ system.f(point)
-        return cls(point, *design.matrices(point), e, onto, g, not design.box.outside(point))
+    known: FloatArray
+    schedule: Schedule
+    whole: bool
+    """Whether no output is missing."""
 
 
-class RunningUnknownInputObserver:
-    """A ``Stage[UnknownInputSample, UnknownInputEstimate]`` around a design.
+class UnknownInputStage:
+    """A ``Stage[UnknownInputSample, UnknownInputEstimate]`` that runs a design.
 
     Assumes that y, b and the scheduling variables are linear between two samples; in discrete time each
-    sample is a step, its index the last one plus 1. With as many outputs as unknown inputs it runs in the
-    reduced form, without gains; otherwise in the full form, outside the box with the gains of its nearest
-    point and ``certified`` false. In numpy: some 40 us a step while the scheduling variables are the same at
-    both samples, whose matrices are kept, and 0.4 ms while they change; for the camera there is a compiled
-    law.
+    sample is a step, its index the last one plus 1. The matrices that run are those of the vertices, mixed:
+    the ones that are proved. Outside the box they are those of the system, with the gains of the nearest
+    point, and ``certified`` is false. With as many outputs as unknown inputs no gain acts.
 
     While an output is missing at one end of an interval the model is followed, x' = A x + b + F d with the
     last estimate of d (zero before the first). At its end the outputs that are measured correct the
@@ -130,17 +159,16 @@ class RunningUnknownInputObserver:
     gone for good needs a design of its own.
 
     Parameters: ``design``; ``start`` the estimate at the first sample, whose outputs the first sample
-    replaces; ``reconstruction`` of the unknown input. Memory: the estimate, one sample, and a covariance.
-    Raises ParameterError; EventError and EventOrderError from ``update``, which leaves it unchanged.
+    replaces; ``noise`` and ``density`` as for ``InputReconstruction``. Memory: the estimate, one sample, a
+    covariance, and the matrices at the vertices. Raises ParameterError; EventError and EventOrderError from
+    ``update``, which leaves it unchanged.
 
-    >>> from pointpred_observers.unknown_input.boxes import Box
-    >>> from pointpred_observers.unknown_input.observer import UnknownInputObserver
-    >>> from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+    >>> from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver
     >>> system = ParameterVaryingSystem(
     ...     lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
     ... )
-    >>> design = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), sigma=1.0)
-    >>> running = RunningUnknownInputObserver(design, np.array([0.0, 1.0]))
+    >>> design = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), decay=0.5)
+    >>> running = design.stage([0.0, 1.0])
     >>> for i in range(101):
     ...     sample = UnknownInputSample(i / 100, np.array([7.0]), np.zeros(2), lambda x: {"k": -2.0})
     ...     estimate = running.update(sample)
@@ -151,113 +179,109 @@ class RunningUnknownInputObserver:
     """
 
     def __init__(
-        self, design: Design, start: FloatArray, reconstruction: InputReconstruction | None = None
+        self, design: UnknownInputObserver, start: Any, *, noise: Any = None, density: Any = None
     ) -> None:
-        self.design = design
-        self.start = np.asarray(start, np.float64)
-        outputs, states = design.system.c.shape
-        if self.start.shape != (states,) or not np.isfinite(self.start).all():
-            raise ParameterError(
-                f"start needs {states} finite numbers, received {start!r:.80}", field="start"
-            )
-        if reconstruction is None:
-            reconstruction = InputReconstruction(outputs, design.system.time)
-        self.reconstruction = reconstruction.fresh()
+        self.design, self.start = design, np.asarray(start, np.float64)
+        outputs, n = design.system.c.shape
+        if self.start.shape != (n,) or not np.isfinite(self.start).all():
+            raise ParameterError(f"start needs {n} finite numbers, received {start!r:.80}", field="start")
+        self.reconstruction = InputReconstruction(outputs, design.system.time, noise=noise, density=density)
+        corners = [design.equations(point) for point in design.box.corners]
+        self._corners = np.array([np.concatenate([part.ravel() for part in one]) for one in corners])
+        self._moving = any(not np.array_equal(one[2], corners[0][2]) for one in corners)  # E
+        self._axes = np.array(list(design.box.bounds.values()))
         self._fastest = design.fastest
         self.reset()
 
     def reset(self) -> None:
         """Forget every sample."""
+        outputs, n = self.design.system.c.shape
         self._last: _Measured | None = None
-        self._x = self.start
-        self._point: Point = {}
-        self._constant: _Constant | None = None
-        self._latest: list[tuple[Point, tuple[FloatArray, FloatArray, FloatArray]]] = []
+        self._x, self._motion = self.start, (np.zeros(outputs), np.zeros((outputs, 0)))
+        self._p: list[float] | None = None
+        self._inside = False
+        self._block, self._weights = np.zeros(self._corners.shape[1]), np.zeros(len(self._corners))
+        self._space, self._ends = np.zeros((5, n)), np.zeros((2, outputs + n))
         self.reconstruction.reset()
 
     def fresh(self) -> Self:
         """The same design and start, without memory."""
-        return type(self)(self.design, self.start, self.reconstruction)
+        of = self.reconstruction
+        return type(self)(self.design, self.start, noise=of.noise, density=of.density)
 
     def update(self, given: UnknownInputSample, /) -> UnknownInputEstimate:
         """Consume one sample; a refused one changes nothing."""
-        sample = self._checked(given)
-        old, system, y = self._last, self.design.system, sample.y
-        bridged = not sample.whole
+        sample, old, system = self._checked(given), self._last, self.design.system
+        y, whole = sample.y, sample.whole
         if old is None:
             seen = ~np.isnan(y)
             x = self.start + np.linalg.pinv(system.c[seen]) @ (y - system.c @ self.start)[seen]
-        elif bridged or not old.whole:
-            x, bridged = self._bridged(self._x, old, sample), True
-        elif (resting := self._resting(old, sample)) is not None:
-            return resting
+        elif not (whole and old.whole):
+            x, whole = self._bridged(self._x, old, sample), False
+        elif system.time == "discrete":
+            x = self._onward(self._x, old, sample)
         else:
             x = self._carried(self._x, old, sample)
         point = sample.schedule(x)
-        certified = not (bridged or self.design.box.outside(point))
-        if old is None:
-            none = np.full(system.f(point).shape[1], np.nan)
-            d, spread = none, none
-        else:
-            d, spread = self._reconstructed(x, point, old, sample)
-        self._x, self._last, self._point = x, sample, point
+        certified = whole and not self.design.box.outside(point)
+        motion = self._moved(x, point, sample)
+        d, spread = self._reconstructed(motion, old, sample)
+        self._x, self._last, self._motion = x, sample, motion
         return UnknownInputEstimate(sample.t, x, certified, d, spread)
 
-    def _resting(self, old: _Measured, new: _Measured) -> UnknownInputEstimate | None:
-        """The step of a continuous system whose scheduling variables are the same at both samples, else None.
-
-        They are linear between the samples, so that they rest: the matrices are those of the last such step.
-        """
-        point = self._point
-        if self.design.system.time == "discrete" or new.schedule(self._x) != point:
-            return None
-        at = self._constant
-        if at is None or at.point != point:
-            at = self._constant = _Constant.at(self.design, dict(point))
-        first, last = at.y @ old.y + at.t @ old.known, at.y @ new.y + at.t @ new.known
-        change = last - first
-
-        def rate(z: FloatArray, s: float) -> FloatArray:
-            moved: FloatArray = at.n @ z
-            moved += first
-            moved += s * change
-            return moved
-
-        x = _integrated(rate, self._x + at.e @ old.y, old.t, new.t, self._fastest) - at.e @ new.y
-        if new.schedule(x) != point:
-            return None  # they follow the estimate
-        if at.onto is None:
-            d = spread = np.full(at.g.shape[1], np.nan)
-        else:
-            known = 0.5 * (at.onto @ (self._x + x) + self.design.system.c @ (old.known + new.known))
-            d, spread = self.reconstruction.update(known, at.g, new.t - old.t, old.y, new.y)
-        self._x, self._last = x, new
-        return UnknownInputEstimate(new.t, x, at.certified, d, spread)
+    def _mixed(self, old: _Measured, new: _Measured, s: float, x: FloatArray) -> None:
+        """The matrices at a share of the interval between two samples, where the estimate is x."""
+        before, after = old.schedule(x), new.schedule(x)
+        names = self.design.box.names
+        try:
+            p = [(1.0 - s) * before[name] + s * after[name] for name in names]
+        except KeyError:
+            raise ParameterError(
+                f"a point needs {', '.join(names)}, received {', '.join(before)}", field="schedule"
+            ) from None
+        if p == self._p:
+            return
+        self._p = None
+        self._inside = mix(self._corners, self._axes, np.array(p, np.float64), self._weights, self._block)
+        if not self._inside:
+            parts = self.design.equations(dict(zip(names, p, strict=True)))
+            self._block[:] = np.concatenate([part.ravel() for part in parts])
+        self._p = p
 
     def _carried(self, x: FloatArray, old: _Measured, new: _Measured) -> FloatArray:
         """The estimate at the next sample, with every output measured."""
-        point, system = old.schedule(x), self.design.system
-        if system.time == "discrete":
-            z = self.design.onward(x, old.y, point, old.known)
-            return self.design.estimate(z, new.y, point)
+        steps, space, ends = _steps(old, new, self._fastest), self._space, self._ends
+        h, outputs = (new.t - old.t) / steps, len(old.y)
+        ends[0, :outputs], ends[0, outputs:] = old.y, old.known
+        ends[1, :outputs], ends[1, outputs:] = new.y, new.known
+        self._mixed(old, old, 0.0, x)
+        space[STAGE] = x + self._e() @ old.y
+        for i in range(steps):
+            for part, inner in enumerate((0.0, 0.5, 0.5, 1.0)):
+                s = (i + inner) / steps
+                self._mixed(old, new, s, self._estimate(old, new, s))
+                push(self._block, self.design.system.c, ends, s, part, h, space)
+        return self._estimate(old, new, 1.0)
 
-        def rate(z: FloatArray, s: float) -> FloatArray:
-            y, known = _between(old.y, new.y, s), _between(old.known, new.known, s)
-            here = self._estimate(z, y, _schedule(old, new, s))
-            n, seen, t = self._matrices(_schedule(old, new, s)(here))
-            return np.asarray(n @ z + seen @ y + t @ known, np.float64)
+    def _estimate(self, old: _Measured, new: _Measured, s: float) -> FloatArray:
+        """x_hat; E depends on measured variables only, so z may stand in for the estimate."""
+        if self._moving or not self._inside:
+            self._mixed(old, new, s, self._space[STAGE].copy())
+        estimated(self._block, self._ends, s, self._space)
+        return self._space[ESTIMATE].copy()
 
-        z = _integrated(rate, x + system.e(point) @ old.y, old.t, new.t, self._fastest)
-        return self._estimate(z, new.y, new.schedule)
+    def _e(self) -> FloatArray:
+        outputs, n = self.design.system.c.shape
+        return self._block[n * (n + outputs) : n * (n + 2 * outputs)].reshape(n, outputs)
 
-    def _matrices(self, point: Point) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """The design's at a point; a step of the integration asks twice for its middle and for its ends."""
-        for known, found in self._latest:
-            if known == point:
-                return found
-        found = self.design.matrices(point)
-        self._latest = [(point, found), *self._latest[:1]]
-        return found
+    def _onward(self, x: FloatArray, old: _Measured, new: _Measured) -> FloatArray:
+        """The next estimate of a discrete system, by E and T of the step that ends there."""
+        outputs, n = self.design.system.c.shape
+        self._mixed(old, old, 0.0, x)
+        gamma, k, _, t = np.split(self._block, np.cumsum([n * n, n * outputs, n * outputs]))
+        z = gamma.reshape(n, n) @ x + t.reshape(n, n) @ old.known
+        z += k.reshape(n, outputs) @ (old.y - self.design.system.c @ x)
+        return np.asarray(z - self._e() @ new.y, np.float64)
 
     def _bridged(self, x: FloatArray, old: _Measured, new: _Measured) -> FloatArray:
         """The estimate at the next sample by the model, corrected along F by the measured outputs."""
@@ -271,42 +295,48 @@ class RunningUnknownInputObserver:
                 field="schedule",
             ) from unknown
 
-        def moved(x: FloatArray, point: Point, known: FloatArray) -> FloatArray:
-            change = system.a(point) @ x + known
-            return change if latest is None else change + system.f(point) @ latest
-
         def rate(x: FloatArray, s: float) -> FloatArray:
-            return moved(x, _schedule(old, new, s)(x), _between(old.known, new.known, s))
+            before, after = old.schedule(x), new.schedule(x)
+            at = {name: (1.0 - s) * before[name] + s * after[name] for name in before}
+            change: FloatArray = system.a(at) @ x + (1.0 - s) * old.known + s * new.known
+            return change if latest is None else change + system.f(at) @ latest
 
         if system.time == "discrete":
-            x = moved(x, point, old.known)
+            x = rate(x, 0.0)
         else:
-            x = _integrated(rate, x, old.t, new.t, perron_root(system.a(point)), 0.5 * SUBSTEP)
+            steps = _steps(old, new, 2.0 * perron_root(system.a(point)))
+            h = (new.t - old.t) / steps
+            for i in range(steps):
+                k1 = rate(x, i / steps)
+                k2 = rate(x + 0.5 * h * k1, (i + 0.5) / steps)
+                k3 = rate(x + 0.5 * h * k2, (i + 0.5) / steps)
+                k4 = rate(x + h * k3, (i + 1.0) / steps)
+                x = x + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
             point = new.schedule(x)
         seen, f = ~np.isnan(new.y), system.f(point)
         inverse = np.linalg.pinv(system.c[seen] @ f, rcond=SINGULAR)
         return np.asarray(x + f @ inverse @ (new.y - system.c @ x)[seen], np.float64)
 
+    def _moved(self, x: FloatArray, point: Point, sample: _Measured) -> tuple[FloatArray | None, FloatArray]:
+        """C (A x + b) and C F at a sample; ``None`` where the point lacks a variable of A."""
+        system = self.design.system
+        g = system.c @ system.f(point)
+        try:
+            return system.c @ (system.a(point) @ x + sample.known), g
+        except KeyError:  # of a system that gives T A, A may need more variables
+            return None, g
+
     def _reconstructed(
-        self, x: FloatArray, point: Point, old: _Measured, new: _Measured
+        self, motion: tuple[FloatArray | None, FloatArray], old: _Measured | None, new: _Measured
     ) -> tuple[FloatArray, FloatArray]:
         """The unknown input of the interval, from the known part of the outputs' motion at its ends."""
-        system = self.design.system
-        first = old.schedule(self._x)
-        g = system.c @ system.f(first)
-        try:
-            known = system.c @ (system.a(first) @ self._x + old.known)
-            if system.time == "continuous":
-                known = 0.5 * (known + system.c @ (system.a(point) @ x + new.known))
-                g = 0.5 * (g + system.c @ system.f(point))
-        except KeyError:  # of a system that gives T A, A may need more variables
-            none = np.full(g.shape[1], np.nan)
+        (known, g), (after, g_after) = self._motion, motion
+        if old is None or known is None or after is None:
+            none = np.full(g_after.shape[1], np.nan)
             return none, none
+        if self.design.system.time == "continuous":
+            known, g = 0.5 * (known + after), 0.5 * (g + g_after)
         return self.reconstruction.update(known, g, new.t - old.t, old.y, new.y)
-
-    def _estimate(self, z: FloatArray, y: FloatArray, schedule: Schedule) -> FloatArray:
-        """x_hat = z - E y; E depends on measured variables only, so z may stand in for the estimate."""
-        return self.design.estimate(z, y, schedule(z))
 
     def _checked(self, sample: UnknownInputSample) -> _Measured:
         if not isinstance(sample, UnknownInputSample):
@@ -314,7 +344,7 @@ class RunningUnknownInputObserver:
                 "update needs an UnknownInputSample, with y=None where every output is missing, received "
                 f"{sample!r:.80}"
             )
-        outputs, states = self.design.system.c.shape
+        outputs, n = self.design.system.c.shape
         y = np.full(outputs, np.nan) if sample.y is None else sample.y
         whole = np.shape(y) == (outputs,) and bool(np.isfinite(y).all())
         if not whole and (np.shape(y) != (outputs,) or np.isinf(y).any()):
@@ -322,10 +352,8 @@ class RunningUnknownInputObserver:
                 f"y needs {outputs} finite numbers, NaN for a missing one, received {sample.y!r:.80}",
                 field="y",
             )
-        if np.shape(sample.known) != (states,) or not np.isfinite(sample.known).all():
-            raise EventError(
-                f"known needs {states} finite numbers, received {sample.known!r:.80}", field="known"
-            )
+        if np.shape(sample.known) != (n,) or not np.isfinite(sample.known).all():
+            raise EventError(f"known needs {n} finite numbers, received {sample.known!r:.80}", field="known")
         if not isfinite(sample.t):
             raise EventError(f"t must be finite, received {sample.t!r}")
         if self._last is not None and not sample.t > self._last.t:
@@ -334,61 +362,22 @@ class RunningUnknownInputObserver:
         if self._last is not None and discrete and sample.t - self._last.t != 1.0:
             raise EventError(
                 f"the sample at index {sample.t:g} comes after index {self._last.t:g}, a sample is one step: "
-                "give a sample without measurements, y=None, for each missing index, or call start again",
+                "give a sample without measurements, y=None, for each missing index, or reset the stage",
                 field="t",
                 value=sample.t,
             )
-        return _Measured(
-            sample.t,
-            np.asarray(y, np.float64),
-            np.asarray(sample.known, np.float64),
-            sample.schedule,
-            whole,
-        )
+        known = np.asarray(sample.known, np.float64)
+        return _Measured(sample.t, np.asarray(y, np.float64), known, sample.schedule, whole)
 
 
-def _between(before: FloatArray, after: FloatArray, s: float) -> FloatArray:
-    mixed: FloatArray = (1.0 - s) * before + s * after
-    return mixed
-
-
-def _schedule(old: _Measured, new: _Measured, s: float) -> Schedule:
-    """The scheduling variables at a share of the interval."""
-
-    def schedule(x: FloatArray) -> Point:
-        before, after = old.schedule(x), new.schedule(x)
-        return {name: (1.0 - s) * before[name] + s * after[name] for name in before}
-
-    return schedule
-
-
-def _integrated(
-    rate: Callable[[FloatArray, float], FloatArray],
-    z: FloatArray,
-    last: float,
-    t: float,
-    fastest: float,
-    share: float = SUBSTEP,
-) -> FloatArray:
-    """The classical Runge-Kutta method from ``last`` to ``t``, in steps short beside 1 / ``fastest``.
-
-    ``rate`` of z and the share of the interval. Raises EventError for too long an interval.
-    """
-    dt = t - last
+def _steps(old: _Measured, new: _Measured, fastest: float) -> int:
+    """Steps of an integration that are short beside 1 / ``fastest``; raises EventError for too many."""
+    dt = new.t - old.t
     if not dt * fastest <= STEPS_MOST:
         raise EventError(
-            f"the sample at t = {t!r} comes {dt:g} s after the last one, the observer bridges at most "
-            f"{STEPS_MOST / fastest:g} s, {STEPS_MOST:.0e} steps: sample more often, or call start again",
+            f"the sample at t = {new.t!r} comes {dt:g} s after the last one, the observer bridges at most "
+            f"{STEPS_MOST / fastest:g} s, {STEPS_MOST:.0e} steps: sample more often, or reset the stage",
             field="t",
-            value=t,
+            value=new.t,
         )
-    steps = max(1, ceil(min(dt * fastest / share, STEPS_MOST)))
-    h = dt / steps
-    for i in range(steps):
-        s, half, end = i / steps, (i + 0.5) / steps, (i + 1.0) / steps
-        k1 = rate(z, s)
-        k2 = rate(z + 0.5 * h * k1, half)
-        k3 = rate(z + 0.5 * h * k2, half)
-        k4 = rate(z + h * k3, end)
-        z = z + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
-    return z
+    return max(1, ceil(min(dt * fastest / SUBSTEP, STEPS_MOST)))
