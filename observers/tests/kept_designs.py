@@ -50,7 +50,7 @@ def design(name: str) -> Any:
 
 def _interlaced() -> Any:
     return InterlacedObserver.design(
-        o.interlaced(SYMBOLIC, CIRCLE, 1, W1, degree=2), decay=0.5, start=[0.5, 0.0]
+        o.interlaced(SYMBOLIC, CIRCLE, 1, W1, degree=2), rate=0.5, start=[0.5, 0.0]
     )
 
 
@@ -72,8 +72,10 @@ MAKERS = {
     "driven": lambda: o.design(DRIVEN, "driven", generator=CONSTANT, Pi=[[1.0], [2.0]], decay=1.0),
     "regulator": lambda: o.design(PENDULUM, "regulator", decay=1.0),
     "servo": _servo,
-    "unknown input": lambda: UnknownInputObserver.design(WING, WING.box, sigma=1.0),
-    "unknown input, discrete": lambda: UnknownInputObserver.design(SAMPLED_WING, SAMPLED_WING.box, sigma=0.3),
+    "unknown input": lambda: UnknownInputObserver.design(WING, WING.box, decay=0.5),
+    "unknown input, discrete": lambda: UnknownInputObserver.design(
+        SAMPLED_WING, SAMPLED_WING.box, decay=0.15
+    ),
     "interlaced": _interlaced,
 }
 
@@ -110,5 +112,5 @@ def numbers(thing: Any) -> dict[str, np.ndarray[Any, Any]]:
     }
     walk("", parts)
     if "gains" in parts:
-        found["gains"] = thing.gains.matrices
+        found["gains"] = thing.gains
     return {name: one for name, one in found.items() if "margins" not in name}

@@ -246,7 +246,7 @@ def test_the_error_system_of_an_unknown_input_observer_has_its_zeros() -> None:
     system = ParameterVaryingSystem(
         lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
     )
-    observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), sigma=1.0)
+    observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), decay=0.5)
     errors = observer.error_system()
     assert errors.names == ("k = -3", "k = -1")
     for a, zero in zip(errors.A, (-3.0, -1.0), strict=True):
@@ -262,7 +262,7 @@ def test_the_error_system_of_an_interlaced_observer() -> None:
     x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -sp.sin(x2) + u), u, outputs=(x2,))
     steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), upper=1, first=w1, degree=2)
-    observer = InterlacedObserver.design(steady, decay=0.3, gain=[[1.0], [0.0]])
+    observer = InterlacedObserver.design(steady, rate=0.3, gain=[[1.0], [0.0]])
     system = observer.error_system()
     assert system.A[0] == pytest.approx(np.array([[-1.0, 1.0], [-1.0, 0.0]]))
     # From noise to w1^: (s + ...) / (s^2 + s + 1), whose gain at 1 rad/s is 1.
