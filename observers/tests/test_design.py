@@ -16,7 +16,6 @@ from pointpred_observers import (
     Generator,
     ObserverDesign,
     Persidskii,
-    SeededSignal,
     convergence_bound,
     design_observer,
     error_system,
@@ -27,6 +26,7 @@ from pointpred_observers import (
 )
 from pointpred_observers.bounds import ErrorBound
 from pointpred_observers.interconnected.design import certified_design
+from pointpred_observers.trajectories import SeededSignal
 
 
 def random_pair(seed: int, *, time: str = "continuous") -> tuple[Persidskii, Generator, Any]:

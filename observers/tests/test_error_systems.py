@@ -175,7 +175,7 @@ def test_errors_stay_below_the_bound_for_slopes_that_change(seed: int, discrete:
 
     start = rng.normal(size=2)
     times = np.arange(0, 30) if discrete else np.arange(0.0, 8.0, 0.25)
-    errors = trajectory(field, start, times, integrator="discrete" if discrete else "rk4", step_s=0.01)
+    errors = trajectory(field, start, times, time=time)
     largest = float(np.linalg.norm(pushes))
     for t, e in zip(times, errors, strict=True):
         assert np.linalg.norm(e) <= found.bound(float(t), float(np.linalg.norm(start)), d=largest) + 1e-12

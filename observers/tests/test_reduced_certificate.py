@@ -10,7 +10,6 @@ from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers import (
     Persidskii,
-    SeededSignal,
     certify_convergence,
     design_reduced_order,
     invariant_observer,
@@ -20,6 +19,7 @@ from pointpred_observers import (
 from pointpred_observers.bounds import continuous_bound, convergence_bound, discrete_bound
 from pointpred_observers.reduced_order.reversed_certificate import lipschitz, theorem_3_3_1, theorem_3_3_2
 from pointpred_observers.reduced_order.reversed_connection import Connection
+from pointpred_observers.trajectories import SeededSignal
 
 PI = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
 
@@ -134,7 +134,7 @@ def test_upsilon_is_found_where_the_equalities_tie_it() -> None:
 
 
 @pytest.mark.parametrize("injection", [False, True])
-def test_the_compiled_stage_and_two_integrators_converge_alike(injection: bool) -> None:
+def test_the_compiled_stage_and_the_integrator_converge_alike(injection: bool) -> None:
     plant = masses()
     design = design_reduced_order(plant, PI, decay=0.1 if not injection else 0.5, injection=injection)
     observer = design.observer
@@ -146,9 +146,7 @@ def test_the_compiled_stage_and_two_integrators_converge_alike(injection: bool) 
     x0 = np.array([0.5, 0.0, 0.2, 0.1])
     times = np.concatenate([[0.0], np.cumsum(np.random.default_rng(1).uniform(0.002, 0.03, 300))])
     start = np.concatenate([x0, [0.0, 0.0]])
-    states = trajectory(slope, start, times, step_s=0.01)
-    other = trajectory(slope, start, times, integrator="scipy")
-    assert states == pytest.approx(other, abs=1e-7)
+    states = trajectory(slope, start, times)
     estimates = np.array([observer.estimate(0.0, s[4:], s[:2]) for s in states])
     errors = np.linalg.norm(estimates - states[:, :4], axis=1)
     assert errors[-1] < 0.85 * errors[0]

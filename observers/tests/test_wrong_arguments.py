@@ -210,7 +210,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     ),
     (
         o.trajectory,
-        {"field": lambda t, x: -x, "start": [1.0], "times": [0.0, 0.1], "integrator": "rk4", "step_s": 0.1},
+        {"field": lambda t, x: -x, "start": [1.0], "times": [0.0, 0.1], "time": "continuous", "step_s": 0.1},
     ),
     (
         o.simulate,
@@ -229,7 +229,6 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (o.design_full_order, {"plant": PLANT, "decay": 1.0, "gain": [[3.0], [0.0]]}),
     (o.CornerSystem, {"box": BOX, "A": [[-1.0]], "F": [[1.0]], "C": [[1.0]], "rates": {}, "sizes": [1.0]}),
     (o.audit, {"design": REDUCED}),
-    (o.SeededSignal, {"seed": 1, "size": 1, "amplitude": 1.0, "kind": "uniform", "period_s": 0.1}),
     (o.convergence_bound, {"P": [[1.0]], "Xi": [[1.0]], "gamma": 1.0}),
     (
         o.interconnection_bound,

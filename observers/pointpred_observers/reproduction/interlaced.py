@@ -13,7 +13,6 @@ from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred_observers import (
     InterlacedObserver,
-    SeededSignal,
     SymbolicGenerator,
     SymbolicSteadyState,
     SymbolicSystem,
@@ -21,6 +20,7 @@ from pointpred_observers import (
     trajectory,
 )
 from pointpred_observers.simulations.symbolic import driven_field, outputs_of
+from pointpred_observers.trajectories import SeededSignal
 
 END_S, PERIOD_S = 30.0, 0.01
 STEP_S = 2.5e-3
