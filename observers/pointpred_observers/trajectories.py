@@ -81,7 +81,7 @@ def trajectory(
         if time == "discrete":
             states = np.array(_onward(field, x0, t))
         elif len(t) == 1:
-            return x0[None]
+            states = np.array([x0])
         else:
             longest = float(np.diff(t).min()) if step_s is None else positive("step_s", step_s)
             states = _integrated(field, x0, t, longest, tolerance)
