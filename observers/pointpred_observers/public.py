@@ -1,7 +1,7 @@
 """The public names of the package."""
 
 from pointpred.regression import RecursiveLeastSquares
-from pointpred_observers.bounds import ErrorBound, convergence_bound, interconnection_bound
+from pointpred_observers.bounds import ErrorBound
 from pointpred_observers.detectability import undetectable
 from pointpred_observers.discretisation import c2d
 from pointpred_observers.documents.files import audit, load, save
@@ -138,7 +138,6 @@ __all__ = [
     "check",
     "check_steady_state",
     "closed_loop",
-    "convergence_bound",
     "design_full_order",
     "design_observer",
     "design_reduced_order",
@@ -148,7 +147,6 @@ __all__ = [
     "error_system",
     "feedback",
     "feedforward",
-    "interconnection_bound",
     "interlaced",
     "invariant_observer",
     "invariant_stage",

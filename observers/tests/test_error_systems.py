@@ -70,7 +70,7 @@ def test_an_error_system_of_ones_own_is_checked(changed: dict[str, Any], field: 
     """With "Discrete" read as continuous, e+ = -3 e would be proved to decay."""
     right: dict[str, Any] = {"A": [[[-3.0]]], "B": [[[1.0]]], "C": [[1.0]], "names": [""]}
     right |= {"disturbances": {"d": 1}, "time": "continuous"}
-    assert certify_decay(ErrorSystem(**right)).bound.rate > 0.0
+    assert certify_decay(ErrorSystem(**right)).bound.decay > 0.0
     with pytest.raises(InfeasibleError):
         certify_decay(ErrorSystem(**{**right, "time": "discrete"}))
     with pytest.raises(ParameterError) as refused:
@@ -254,7 +254,7 @@ def test_the_error_system_of_an_unknown_input_observer_has_its_zeros() -> None:
     assert errors.names == ("k = -3", "k = -1")
     for a, zero in zip(errors.A, (-3.0, -1.0), strict=True):
         assert np.abs(np.linalg.eigvals(a) - zero).min() < 1e-9
-    assert certify_decay(errors, decay=0.5).bound.rate == 0.5
+    assert certify_decay(errors, decay=0.5).bound.decay == 0.5
 
 
 def test_the_error_system_of_an_interlaced_observer() -> None:

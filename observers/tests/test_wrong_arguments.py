@@ -229,11 +229,6 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (o.design_full_order, {"plant": PLANT, "decay": 1.0, "gain": [[3.0], [0.0]]}),
     (o.CornerSystem, {"box": BOX, "A": [[-1.0]], "F": [[1.0]], "C": [[1.0]], "rates": {}, "sizes": [1.0]}),
     (o.audit, {"design": REDUCED}),
-    (o.convergence_bound, {"P": [[1.0]], "Xi": [[1.0]], "gamma": 1.0}),
-    (
-        o.interconnection_bound,
-        {"P": [[1.0]], "Theta": [[1.0]], "Gamma": [[1.0]], "Xi": [[1.0]], "time": "continuous", "G": [[1.0]]},
-    ),
 ]
 
 

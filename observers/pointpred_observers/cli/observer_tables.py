@@ -206,7 +206,7 @@ def _sizes(design: Any) -> dict[str, float]:
 def _bound(bound: ErrorBound, **others: str) -> ProvedBound:
     """A bound with its gains by disturbance; ``others`` are other names of some."""
     names = [others.get(name, name) for name in bound.disturbances]
-    return ProvedBound(bound.rate, bound.overshoot, dict(zip(names, bound.gains, strict=True)))
+    return ProvedBound(bound.decay, bound.overshoot, dict(zip(names, bound.gains, strict=True)))
 
 
 def _gains(design: Any) -> dict[str, Any]:

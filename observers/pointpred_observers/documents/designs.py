@@ -193,7 +193,7 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
             feedback=Feedback(
                 L0=entries(feedback.L0),
                 L1=entries(feedback.L1),
-                decay=feedback.certificate.bound.rate,
+                decay=feedback.certificate.bound.decay,
                 certificate=_plain(feedback.certificate.values),
             ),
             equations=None

@@ -183,8 +183,8 @@ def audit(design: Any) -> dict[str, float]:
 def _require_bounds(claimed: list[ErrorBound], proved: list[ErrorBound]) -> None:
     """Raise CertificateError where a claimed bound is smaller than the one that is proved."""
     for one, other in zip(claimed, proved, strict=True):
-        sizes = one.overshoot, 1.0 / one.rate, one.rest, *one.gains
-        least = other.overshoot, 1.0 / other.rate, other.rest, *other.gains
+        sizes = one.overshoot, 1.0 / one.decay, one.rest, *one.gains
+        least = other.overshoot, 1.0 / other.decay, other.rest, *other.gains
         if len(sizes) != len(least) or not all(
             size >= proof * (1.0 - TOLERANCE) for size, proof in zip(sizes, least, strict=True)
         ):

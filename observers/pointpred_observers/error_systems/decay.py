@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from math import exp, expm1, sqrt
+from math import exp
 from typing import Any
 
 import msgspec
@@ -13,7 +13,7 @@ from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates, balanced
-from pointpred_observers.bounds import ErrorBound, eigenvalues
+from pointpred_observers.bounds import ErrorBound, proved_bound
 from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.matrices import instance, positive
@@ -88,7 +88,7 @@ def certify_decay(
     ...     -2 * np.eye(1), np.eye(1), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 1.0),), time="continuous"
     ... )
     >>> found = certify_decay(system, decay=0.5)
-    >>> round(found.bound.rate, 6), found.bound(0.0, 0.0, d=1.0) < 1.5, min(found.margins.values()) > 0.0
+    >>> round(found.bound.decay, 6), found.bound(0.0, 0.0, d=1.0) < 1.5, min(found.margins.values()) > 0.0
     (0.5, True, True)
     """
     if decay is not None:
@@ -133,8 +133,6 @@ def certified_decay(system: ErrorSystem, values: dict[str, Any], decay: float) -
     """
     decay = positive("decay", decay)
     margins = decay_inequalities(system, decay).check(values)
-    p = eigenvalues("P", values["P"])
-    loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
-    gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(len(system.disturbances)))
-    bound = ErrorBound(sqrt(p[-1] / p[0]), decay, gains, tuple(system.disturbances))
+    drives = {name: values[f"bound_{i}"] for i, name in enumerate(system.disturbances)}
+    bound = proved_bound(values["P"], decay, drives, system.time)
     return DecayCertificate(values["P"], values, margins, bound, system, system.domain)

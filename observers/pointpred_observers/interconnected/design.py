@@ -11,7 +11,7 @@ from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates, inward
-from pointpred_observers.bounds import ErrorBound, interconnection_bound, region
+from pointpred_observers.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
 from pointpred_observers.detectability import require_detectable
 from pointpred_observers.equalities import TOLERANCE
 from pointpred_observers.inequalities.definite import solved
@@ -182,9 +182,11 @@ def certified_design(
     # M runs, not P^-1 U: the rounding of P M counts as well, large beside U where P is nearly singular.
     theorem.unknowns.computed("U", np.abs(values["P"]) @ np.abs(m))
     theorem.check(values, printed=False)
-    bound = interconnection_bound(
-        values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True, G=g.G
-    )
+    # V' <= -e'Theta e + max Gamma (abs(v)^2 + abs(v + eps)^2) + max Xi abs(w)^2, the first v only through G.
+    noise, drive = eigenvalues("Gamma", values["Gamma"])[-1], eigenvalues("Xi", values["Xi"])[-1]
+    decay = decay_of(values["P"], values["Theta"], plant.time)
+    drives = {"v": 2.0 * noise if g.G.any() else noise, "eps": noise, "w": drive}
+    bound = proved_bound(values["P"], decay, drives, plant.time)
     return ObserverDesign(m, values, margins, bound, plant, g, connection.pi, gap)
 
 

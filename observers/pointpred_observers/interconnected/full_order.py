@@ -29,7 +29,7 @@ def design_full_order(plant: Plant, *, decay: float = 1.0, gain: Any = None) -> 
 
     >>> cart = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", [0.0, 1.0], None, [1.0, 0.0])
     >>> design = design_full_order(cart, decay=2.0)
-    >>> design.bound.rate >= 2.0, min(design.margins.values()) > 0.0
+    >>> design.bound.decay >= 2.0, min(design.margins.values()) > 0.0
     (True, True)
     """
     one, decay = as_plant(plant), positive("decay", decay)

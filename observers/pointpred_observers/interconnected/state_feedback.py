@@ -64,7 +64,7 @@ def design_state_feedback(
 
     >>> mass = Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0])
     >>> feedback = design_state_feedback(mass, decay=1.0)
-    >>> round(feedback.certificate.bound.rate, 6), min(feedback.certificate.margins.values()) > 0.0
+    >>> round(feedback.certificate.bound.decay, 6), min(feedback.certificate.margins.values()) > 0.0
     (1.0, True)
     """
     decay = positive("decay", decay)
