@@ -15,23 +15,14 @@ from typing import Any
 
 import mpmath
 import numpy as np
+from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
 
 from evidence.arguments import parse
 from evidence.data import Table, keep, stored
 from evidence.machine import machine
 from evidence.observers.plants import DOORS, KINDS, Problem
 from pointpred.errors import InfeasibleError, PointpredError
-from pointpred_observers import (
-    RecursiveLeastSquares,
-    UnknownInputObserver,
-    certify_convergence,
-    certify_interlaced,
-    certify_tracking,
-    design_observer,
-    invariant_observer,
-    regression_margin,
-    steady_state_map,
-)
+from pointpred_observers import RecursiveLeastSquares, invariant_observer, steady_state_map
 from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.examples import (
     ROBOT_INPUT_MODIFIED,
@@ -45,8 +36,11 @@ from pointpred_observers.examples import (
     vapours,
 )
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
+from pointpred_observers.thesis import certify_convergence, certify_tracking, regression_margin
 from pointpred_observers.unknown_input.gains import ROOMS
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 
 def least_gamma(p: mpmath.mpf, sigma: mpmath.mpf, bounds: dict[str, Any]) -> mpmath.mpf:
@@ -247,15 +241,20 @@ def estimates() -> list[Fact]:
 
 def of_interlaced(name: str, row: list[float]) -> list[Fact]:
     """Theorem 4.4.1 for the oscillator of examples 8 and 9."""
-    certificate = certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [row], rate=0.25)
+    certificate = certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [row], decay=0.25)
     p, q, gamma, u = (exact(one) for one in (certificate.P, certificate.Q, certificate.Gamma, certificate.U))
     corner = p * exact([[0.0, 1.0], [-1.0, 0.0]]) - u * exact([row])
     c, sizes = least_ratio(q, p), values(p)
     whole = stacked([[corner + corner.T + q, -u], [-u.T, -gamma]])
     return [
-        (name, "rate, 1/s", certificate.rate, c / 2),
-        (name, "overshoot", certificate.overshoot, mpmath.sqrt(sizes[-1] / sizes[0])),
-        (name, "gain of the noise", certificate.noise_gain, mpmath.sqrt(values(gamma)[-1] / (c * sizes[0]))),
+        (name, "rate, 1/s", certificate.bound.decay, c / 2),
+        (name, "overshoot", certificate.bound.overshoot, mpmath.sqrt(sizes[-1] / sizes[0])),
+        (
+            name,
+            "gain of the noise",
+            certificate.bound.gains[0],
+            mpmath.sqrt(values(gamma)[-1] / (c * sizes[0])),
+        ),
         (name, "margin of (4.16)", certificate.margins["the matrix of (4.16)"], -values(whole)[-1]),
     ]
 
@@ -273,10 +272,15 @@ def camera() -> list[Fact]:
 
 
 EXAMPLES: dict[str, Callable[[], list[Fact]]] = {
-    "1": lambda: of_design("1", design_observer(*academic(), steady_state_map(*academic()).Pi)),
+    "1": lambda: of_design("1", DrivenObserver.design(academic()[0], generator=academic()[1], decay=0.0)),
     "2": bioreactor,
     "3": arm,
-    "4": lambda: of_design("4", design_observer(*chua_circuits(0.5), np.eye(3))),
+    "4": lambda: of_design(
+        "4",
+        DrivenObserver.design(
+            chua_circuits(0.5)[0], generator=chua_circuits(0.5)[1], Pi=np.eye(3), decay=0.0
+        ),
+    ),
     "5": masses,
     "6": sensors,
     "7": estimates,

@@ -15,16 +15,18 @@ from pointpred_observers import (
     Persidskii,
     SymbolicGenerator,
     SymbolicSystem,
-    assumption_3_2_2,
-    assumption_3_2_3,
-    assumption_3_2_6,
-    assumption_4_4_2,
-    certify_tracking,
     interlaced,
     steady_state_map,
     trajectory,
 )
 from pointpred_observers.examples import academic, chua_circuits
+from pointpred_observers.thesis import (
+    assumption_3_2_2,
+    assumption_3_2_3,
+    assumption_3_2_6,
+    assumption_4_4_2,
+    certify_tracking,
+)
 from pointpred_observers.triangular.ranges import enclosure
 
 sp = pytest.importorskip("sympy")

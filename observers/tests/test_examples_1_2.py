@@ -8,18 +8,13 @@ import numpy as np
 import pytest
 
 from pointpred.errors import CertificateError, DivergenceError
-from pointpred_observers import (
-    design_observer,
-    residuals,
-    steady_state_map,
-    theorem_3_2_1,
-    trajectories,
-    trajectory,
-)
+from pointpred_observers import steady_state_map, trajectories, trajectory
 from pointpred_observers.examples import (
     Bioreactor,
     academic,
 )
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.thesis import residuals, theorem_3_2_1
 
 CHUA_GAIN = [[-0.34], [1.32], [5.35]]
 
@@ -50,7 +45,7 @@ def test_example_1_the_printed_certificate_fails_and_the_printed_gain_can_be_cer
         theorem_3_2_1(plant, generator, found).check(printed, rounding=5e-4)
     gain = np.array([[-2.973], [1.565]])
     assert np.allclose(np.linalg.solve(p, u), gain, atol=2e-3)
-    design = design_observer(plant, generator, found, gain=gain)
+    design = DrivenObserver.design(plant, generator=generator, Pi=found, gain=gain, decay=0.0)
     assert np.array_equal(design.gain, gain)
     assert min(design.margins.values()) > 0.0
     assert theorem_3_2_1(plant, generator, found).check(design.values) == design.margins
@@ -59,7 +54,9 @@ def test_example_1_the_printed_certificate_fails_and_the_printed_gain_can_be_cer
 def test_example_1_converges_within_the_certified_bound() -> None:
     plant, generator = academic()
     found = steady_state_map(plant, generator)
-    design = design_observer(plant, generator, found.Pi, gain=[[-2.973], [1.565]])
+    design = DrivenObserver.design(
+        plant, generator=generator, Pi=found.Pi, gain=[[-2.973], [1.565]], decay=0.0
+    )
     g, m = design.generator, design.gain
 
     def field(t: float, both: Any) -> Any:

@@ -9,23 +9,22 @@ import pytest
 
 from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError
-from pointpred_observers import (
-    certify_tracking,
-    closed_loop,
-    design_observer,
-    residuals,
-    sector_bounds,
-    steady_state_map,
-    theorem_3_2_1,
-    theorem_3_2_2,
-    theorem_3_2_3,
-    trajectory,
-)
+from pointpred_observers import steady_state_map, trajectory
 from pointpred_observers.examples import (
     ROBOT_INPUT_MODIFIED,
     academic,
     chua_circuits,
     robotic_arm,
+)
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.interconnected.tracking import closed_loop
+from pointpred_observers.thesis import (
+    certify_tracking,
+    residuals,
+    sector_bounds,
+    theorem_3_2_1,
+    theorem_3_2_2,
+    theorem_3_2_3,
 )
 
 CHUA_GAIN = [[-0.34], [1.32], [5.35]]
@@ -105,6 +104,11 @@ def test_example_4_the_circuits_synchronise() -> None:
     assert np.abs(both[:, 0]).max() > 0.9  # it oscillates on
 
 
+def synchronised(reach: float) -> DrivenObserver:
+    plant, generator = chua_circuits(reach)
+    return DrivenObserver.design(plant, generator=generator, Pi=np.eye(3), decay=0.0)
+
+
 def test_example_4_no_valid_certificate_covers_the_trajectory() -> None:
     plant, generator = chua_circuits(1.0)
     p = [[0.223, -1.16, 0.087], [-1.16, 8.398, -0.589], [0.087, -0.589, 0.066]]
@@ -122,8 +126,8 @@ def test_example_4_no_valid_certificate_covers_the_trajectory() -> None:
     assert theorem.margins(printed)["the LMI"] > 0.0
     for gain in (None, CHUA_GAIN):
         with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
-            design_observer(plant, generator, np.eye(3), gain=gain)
-    near = design_observer(*chua_circuits(0.5), np.eye(3))
+            DrivenObserver.design(plant, generator=generator, Pi=np.eye(3), gain=gain, decay=0.0)
+    near = synchronised(0.5)
     assert min(near.margins.values()) > 0.0
     with pytest.raises(
         CertificateError, match=r"the trajectory reaches 0\.99, the slopes hold within 0\.5 only"
@@ -137,14 +141,12 @@ def test_two_solvers_agree_on_the_examples(solver: str) -> None:
     plant, generator = academic()
     found = steady_state_map(plant, generator).Pi
     with solved_by(solver):
-        first = design_observer(plant, generator, found)
-        second = design_observer(*chua_circuits(0.3), np.eye(3))
+        first = DrivenObserver.design(plant, generator=generator, Pi=found, decay=0.0)
+        second = synchronised(0.3)
     assert first.values["Gamma"][0, 0] == pytest.approx(
-        design_observer(plant, generator, found).values["Gamma"][0, 0], rel=1e-4
+        DrivenObserver.design(plant, generator=generator, Pi=found, decay=0.0).values["Gamma"][0, 0], rel=1e-4
     )
-    assert second.values["Gamma"][0, 0] == pytest.approx(
-        design_observer(*chua_circuits(0.3), np.eye(3)).values["Gamma"][0, 0], rel=1e-5
-    )
+    assert second.values["Gamma"][0, 0] == pytest.approx(synchronised(0.3).values["Gamma"][0, 0], rel=1e-5)
 
 
 @pytest.mark.parametrize("solver", ["CLARABEL", "CVXOPT"])

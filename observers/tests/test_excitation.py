@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 from scipy import integrate
 
 from pointpred.errors import ParameterError
-from pointpred_observers import discrete_excitation, linear_independence, persistent_excitation
+from pointpred_observers import persistent_excitation
+from pointpred_observers.regressors.excitation import discrete_excitation
+from pointpred_observers.thesis import linear_independence
 
 SEEDS = st.integers(0, 2**32 - 1)
 

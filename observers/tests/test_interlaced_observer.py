@@ -39,7 +39,7 @@ def eight(outputs: tuple[Any, ...] = (X3,)) -> SymbolicSteadyState:
 
 @pytest.fixture(scope="module")
 def observer() -> InterlacedObserver:
-    return InterlacedObserver.design(eight(), rate=0.25, gap_s=0.5)
+    return InterlacedObserver.design(eight(), decay=0.25, gap_s=0.5)
 
 
 def irregular(count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:

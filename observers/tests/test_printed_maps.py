@@ -10,17 +10,9 @@ from scipy.linalg import solve_sylvester
 
 from observers.tests.printed import check_map, check_observer
 from pointpred.errors import CertificateError, ParameterError
-from pointpred_observers import (
-    Generator,
-    Persidskii,
-    SymbolicGenerator,
-    SymbolicSystem,
-    check_steady_state,
-    invariant_observer,
-    theorem_3_3_1,
-    theorem_3_3_2,
-)
+from pointpred_observers import Generator, Persidskii, SymbolicGenerator, SymbolicSystem, invariant_observer
 from pointpred_observers.examples import UNMEASURED, Bioreactor, academic, chua_circuits, two_masses
+from pointpred_observers.thesis import check_steady_state, theorem_3_3_1, theorem_3_3_2
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")

@@ -10,16 +10,10 @@ import pytest
 
 from evidence.rendering import filled
 from pointpred.errors import CertificateError, InfeasibleError
-from pointpred_observers import (
-    NonlinearRegressor,
-    Persidskii,
-    certify_convergence,
-    invariant_observer,
-    regression_margin,
-    trajectory,
-)
+from pointpred_observers import NonlinearRegressor, Persidskii, invariant_observer, trajectory
 from pointpred_observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors
 from pointpred_observers.reduced_order.reversed_certificate import theorem_3_3_1
+from pointpred_observers.thesis import certify_convergence, regression_margin
 
 PAGES = Path(__file__).parents[1] / "docs"
 PRINTED = [[-1.0, 0.0], [0.0, 0.0]]

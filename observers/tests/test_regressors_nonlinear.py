@@ -10,7 +10,8 @@ import pytest
 from scipy import integrate, linalg
 
 from pointpred.errors import EventError, EventOrderError, ParameterError, UndecidedError
-from pointpred_observers import GradientRegressor, NonlinearRegressor, regression_margin
+from pointpred_observers import GradientRegressor, NonlinearRegressor
+from pointpred_observers.thesis import regression_margin
 
 TRUTH = np.array([3.0, 5.0])
 

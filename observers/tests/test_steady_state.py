@@ -10,7 +10,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred_observers import Generator, Persidskii, residuals, steady_state_map, trajectory
+from pointpred_observers import Generator, Persidskii, steady_state_map, trajectory
+from pointpred_observers.thesis import residuals
 
 
 def matched(

@@ -11,17 +11,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers import (
-    Generator,
-    Persidskii,
+from pointpred_observers import Generator, Persidskii, trajectory
+from pointpred_observers.interconnected.tracking import closed_loop
+from pointpred_observers.thesis import (
     SectorBounds,
     certify_tracking,
-    closed_loop,
     regulator_stage,
     sector_bounds,
     theorem_3_2_2,
     theorem_3_2_3,
-    trajectory,
 )
 
 

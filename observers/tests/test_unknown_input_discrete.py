@@ -10,8 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import EventError, InfeasibleError, ParameterError, UndecidedError
-from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver, UnknownInputSample
+from pointpred_observers import Box, ParameterVaryingSystem
 from pointpred_observers.unknown_input.discrete_gains import gain
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.run import UnknownInputSample
 
 NAN = np.nan
 

@@ -9,9 +9,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import EventError, InfeasibleError, ParameterError
-from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver, UnknownInputSample
+from pointpred_observers import Box, ParameterVaryingSystem
 from pointpred_observers.camera import SCENARIOS, camera_box, camera_system, model, simulate
 from pointpred_observers.unknown_input import run as running
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.run import UnknownInputSample
 
 A = np.array([[-1.0, 2.0, 0.0], [0.5, 0.3, 1.0], [0.0, -1.0, -0.4]])
 F = np.array([[1.0], [0.5], [0.0]])

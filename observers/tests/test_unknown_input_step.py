@@ -9,7 +9,9 @@ import msgspec
 import numpy as np
 import pytest
 
-from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver, UnknownInputSample
+from pointpred_observers import Box, ParameterVaryingSystem
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.run import UnknownInputSample
 
 
 def damped(two: bool = False) -> UnknownInputObserver:

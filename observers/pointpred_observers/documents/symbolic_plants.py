@@ -8,9 +8,13 @@ import msgspec
 
 from pointpred_observers.documents.entries import Document, Functions
 from pointpred_observers.documents.expressions import names_of, parsed, symbols_of, text_of
-from pointpred_observers.triangular.power_series import Free
-from pointpred_observers.triangular.printed import check_steady_state
-from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.triangular.polynomials import Free
+from pointpred_observers.triangular.system import (
+    SymbolicGenerator,
+    SymbolicSteadyState,
+    SymbolicSystem,
+    check_steady_state,
+)
 
 
 class SymbolicPlantDocument(Document, tag="symbolic plant", frozen=True):

@@ -103,11 +103,8 @@ typedef struct { Vector codes; Table N; Table L; Table J; Table K; Table R0; Tab
 typedef struct { Vector clock; Vector both; Vector space; Vector absent; } interconnected_persidskii_law_State;
 typedef struct { interconnected_persidskii_law_Matrices f0; interconnected_persidskii_law_State f1; } T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_;
 typedef struct { Vector total; Vector stage; Vector change; Vector first; Vector nonlinear; Vector inputs; } interconnected_persidskii_law_Space;
-typedef struct { Vector start; Table gain; Vector clock; Vector theta; Vector last; Vector middle; } regressors_gradient_Parts;
+typedef struct { Vector start; Table gain; Vector clock; Vector theta; Vector last; Vector between; Vector stage; Vector change; Vector total; } regressors_gradient_Parts;
 typedef struct { Table D; Vector y; } regressors_gradient_Sample;
-typedef struct { Vector start; Vector clock; Vector theta; Vector last; Vector between; Vector stage; Vector change; Vector total; } regressors_nonlinear_regression_Parts;
-typedef struct { Table J; Vector y; double weight; } regressors_nonlinear_regression_Sample;
-typedef struct { Vector start; Table A; Table closed; Table L; Vector y; Vector w; Vector term; Vector after; Table program; Vector answers; } triangular_interlaced_observer_Parts;
 typedef struct {
   double started;
   double t;
@@ -220,34 +217,12 @@ typedef struct {
 typedef struct {
   double count;
   double outputs;
+  double width;
   double kind;
-  double rest[];
-} regressors_gradient_Memory;
-typedef struct {
-  double count;
-  double outputs;
-  double gain;
   double code;
   double steepest;
   double rest[];
-} regressors_nonlinear_regression_Memory;
-typedef struct {
-  double states;
-  double outputs;
-  double rows;
-  double program;
-  double answers;
-  double answered;
-  double state;
-  double gap_s;
-  double fast;
-  double slow;
-} triangular_interlaced_observer_Head;
-typedef struct {
-  double started;
-  double t;
-  double measured;
-} triangular_interlaced_observer_State;
+} regressors_gradient_Memory;
 static inline camera_unknown_input_filter_FlowRow camera_unknown_input_filter_FlowRow_of_T7d(T7d value) { return (camera_unknown_input_filter_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
 static inline camera_samples_SampleRow camera_samples_SampleRow_of_T9d(T9d value) { return (camera_samples_SampleRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8}; }
 T9d camera_camera_stage_sample_at(Table rows, int64_t i);
@@ -297,32 +272,17 @@ void loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step
 void loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 static inline double nonlinearity_value(double code, double s);
 void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
-bool regressors_gradient_finite(Vector row);
-void regressors_gradient_flow(regressors_gradient_Parts s, regressors_gradient_Sample sample, double h);
-void regressors_gradient_jump(regressors_gradient_Parts s, regressors_gradient_Sample sample, double share);
+void regressors_gradient_bend(double code, regressors_gradient_Parts s, Vector new, double begin, double h, double dt);
+void regressors_gradient_flow(regressors_gradient_Parts s, double h);
+void regressors_gradient_jump(regressors_gradient_Parts s, double share);
 regressors_gradient_Parts regressors_gradient_parts_of(regressors_gradient_Memory * memory);
 regressors_gradient_Sample regressors_gradient_sample_of(Vector numbers, int64_t n);
-int64_t regressors_gradient_states(int64_t n, int64_t p);
+void regressors_gradient_slope(double code, regressors_gradient_Parts s);
+int64_t regressors_gradient_states(int64_t n, int64_t width);
 double regressors_gradient_steepness(Table d, Table gain);
 int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out);
-int64_t regressors_gradient_width(int64_t n, int64_t p);
-void regressors_nonlinear_regression_flow(regressors_nonlinear_regression_Memory * memory, regressors_nonlinear_regression_Parts s, Vector new, double begin, double h, double dt);
-double regressors_nonlinear_regression_pace(Table regressor);
-regressors_nonlinear_regression_Parts regressors_nonlinear_regression_parts_of(regressors_nonlinear_regression_Memory * memory);
-regressors_nonlinear_regression_Sample regressors_nonlinear_regression_sample_of(Vector numbers, int64_t n);
-void regressors_nonlinear_regression_slope(regressors_nonlinear_regression_Memory * memory, regressors_nonlinear_regression_Parts s);
-int64_t regressors_nonlinear_regression_states(int64_t n, int64_t r);
-int64_t regressors_nonlinear_regression_step(regressors_nonlinear_regression_Memory * memory, Vector row, Vector out);
-int64_t regressors_nonlinear_regression_width(int64_t n, int64_t r);
+bool regressors_gradient_usable(regressors_gradient_Memory * memory, Vector row);
 static inline void stage_learn_nothing(Vector memory);
-double triangular_interlaced_observer_drive(triangular_interlaced_observer_Parts parts, int64_t i, int64_t k, double passed, double share, Vector row);
-void triangular_interlaced_observer_follow(triangular_interlaced_observer_Parts parts, double h, int64_t steps, Vector row, bool driven);
-triangular_interlaced_observer_Parts triangular_interlaced_observer_parts_of(Vector memory);
-int64_t triangular_interlaced_observer_settings(int64_t q, int64_t p);
-int64_t triangular_interlaced_observer_states(int64_t q, int64_t p);
-int64_t triangular_interlaced_observer_step(Vector memory, Vector row, Vector out);
-double triangular_program_apply(int64_t code, double a, double b);
-void triangular_program_execute(Vector memory, Table rows);
 static const int64_t nonlinearity_ATAN = 3;
 static const int64_t nonlinearity_CUBE = 5;
 static const int64_t nonlinearity_SATURATION = 4;

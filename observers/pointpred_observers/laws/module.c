@@ -1476,33 +1476,59 @@ static PyObject *py_nonlinearity_value(PyObject *self, PyObject *const *args, Py
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
-static PyObject *py_regressors_gradient_finite(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.gradient:finite";
+static PyObject *py_regressors_gradient_bend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:bend";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  bool result;
+  double a0;
+  regressors_gradient_Parts a1;
+  Vector a2;
+  double a3;
+  double a4;
+  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "row", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 6)
+        && take_double(args[0], &a0)
+        && take_tuple(args[1], law, "s", 9)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
+        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 2, true, &view)
+        && (a1.gain = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
+        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
+        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
+        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
+        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
+        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "s", 'd', 1, true, &view)
+        && (a1.total = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "new", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
     return let_go(&held);
-  result = regressors_gradient_finite(a0);
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_bend(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return PyBool_FromLong(result);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_regressors_gradient_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.regressors.gradient:flow";
   Held held;
   const Py_buffer *view;
   regressors_gradient_Parts a0;
-  regressors_gradient_Sample a1;
-  double a2;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_tuple(args[0], law, "s", 6)
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "s", 9)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "s", 'd', 1, true, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "s", 'd', 2, true, &view)
@@ -1514,15 +1540,16 @@ static PyObject *py_regressors_gradient_flow(PyObject *self, PyObject *const *ar
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "s", 'd', 1, true, &view)
         && (a0.last = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 5), law, "s", 'd', 1, true, &view)
-        && (a0.middle = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "sample", 2)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "sample", 'd', 2, false, &view)
-        && (a1.D = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "sample", 'd', 1, false, &view)
-        && (a1.y = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[2], &a2)))
+        && (a0.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "s", 'd', 1, true, &view)
+        && (a0.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "s", 'd', 1, true, &view)
+        && (a0.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "s", 'd', 1, true, &view)
+        && (a0.total = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS regressors_gradient_flow(a0, a1, a2); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_flow(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1531,12 +1558,11 @@ static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *ar
   Held held;
   const Py_buffer *view;
   regressors_gradient_Parts a0;
-  regressors_gradient_Sample a1;
-  double a2;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_tuple(args[0], law, "s", 6)
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "s", 9)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "s", 'd', 1, true, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "s", 'd', 2, true, &view)
@@ -1548,15 +1574,50 @@ static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *ar
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "s", 'd', 1, true, &view)
         && (a0.last = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 5), law, "s", 'd', 1, true, &view)
-        && (a0.middle = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "sample", 2)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "sample", 'd', 2, true, &view)
-        && (a1.D = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "sample", 'd', 1, true, &view)
-        && (a1.y = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[2], &a2)))
+        && (a0.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "s", 'd', 1, true, &view)
+        && (a0.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "s", 'd', 1, true, &view)
+        && (a0.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "s", 'd', 1, true, &view)
+        && (a0.total = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS regressors_gradient_jump(a0, a1, a2); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_jump(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_regressors_gradient_slope(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:slope";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  regressors_gradient_Parts a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_tuple(args[1], law, "s", 9)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
+        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 2, true, &view)
+        && (a1.gain = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
+        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
+        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
+        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
+        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
+        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "s", 'd', 1, true, &view)
+        && (a1.total = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_slope(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1607,7 +1668,7 @@ static PyObject *py_regressors_gradient_step(PyObject *self, PyObject *const *ar
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "memory", true, 3, &view)
+        && take_memory(&held, args[0], law, "memory", true, 6, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -1618,352 +1679,24 @@ static PyObject *py_regressors_gradient_step(PyObject *self, PyObject *const *ar
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
-static PyObject *py_regressors_gradient_width(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.gradient:width";
+static PyObject *py_regressors_gradient_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:usable";
   Held held;
   const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regressors_gradient_width(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_regressors_nonlinear_regression_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:flow";
-  Held held;
-  const Py_buffer *view;
-  regressors_nonlinear_regression_Memory * a0;
-  regressors_nonlinear_regression_Parts a1;
-  Vector a2;
-  double a3;
-  double a4;
-  double a5;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_memory(&held, args[0], law, "memory", false, 5, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "s", 8)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
-        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
-        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
-        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
-        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
-        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
-        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
-        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
-        && (a1.total = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "new", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
-    return let_go(&held);
-  regressors_nonlinear_regression_flow(a0, a1, a2, a3, a4, a5);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_regressors_nonlinear_regression_pace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:pace";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "regressor", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = regressors_nonlinear_regression_pace(a0); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_regressors_nonlinear_regression_slope(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:slope";
-  Held held;
-  const Py_buffer *view;
-  regressors_nonlinear_regression_Memory * a0;
-  regressors_nonlinear_regression_Parts a1;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "memory", false, 5, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "s", 8)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
-        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
-        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
-        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
-        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
-        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
-        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
-        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
-        && (a1.total = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  regressors_nonlinear_regression_slope(a0, a1);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_regressors_nonlinear_regression_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:states";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regressors_nonlinear_regression_states(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_regressors_nonlinear_regression_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:step";
-  Held held;
-  const Py_buffer *view;
-  regressors_nonlinear_regression_Memory * a0;
+  regressors_gradient_Memory * a0;
   Vector a1;
-  Vector a2;
-  int64_t result;
+  bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "memory", true, 5, &view)
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", false, 6, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = regressors_nonlinear_regression_step(a0, a1, a2);
+  result = regressors_gradient_usable(a0, a1);
   let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_regressors_nonlinear_regression_width(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:width";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regressors_nonlinear_regression_width(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_triangular_interlaced_observer_drive(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:drive";
-  Held held;
-  const Py_buffer *view;
-  triangular_interlaced_observer_Parts a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  double a4;
-  Vector a5;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_tuple(args[0], law, "parts", 10)
-        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "parts", 'd', 1, false, &view)
-        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "parts", 'd', 2, false, &view)
-        && (a0.A = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "parts", 'd', 2, false, &view)
-        && (a0.closed = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "parts", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "parts", 'd', 1, false, &view)
-        && (a0.y = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "parts", 'd', 1, false, &view)
-        && (a0.w = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "parts", 'd', 1, false, &view)
-        && (a0.term = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "parts", 'd', 1, false, &view)
-        && (a0.after = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "parts", 'd', 2, false, &view)
-        && (a0.program = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "parts", 'd', 1, false, &view)
-        && (a0.answers = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_array(&held, args[5], law, "row", 'd', 1, false, &view)
-        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = triangular_interlaced_observer_drive(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_triangular_interlaced_observer_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:follow";
-  Held held;
-  const Py_buffer *view;
-  triangular_interlaced_observer_Parts a0;
-  double a1;
-  int64_t a2;
-  Vector a3;
-  bool a4;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_tuple(args[0], law, "parts", 10)
-        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "parts", 'd', 1, true, &view)
-        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "parts", 'd', 2, true, &view)
-        && (a0.A = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "parts", 'd', 2, true, &view)
-        && (a0.closed = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "parts", 'd', 2, true, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "parts", 'd', 1, true, &view)
-        && (a0.y = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "parts", 'd', 1, true, &view)
-        && (a0.w = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "parts", 'd', 1, true, &view)
-        && (a0.term = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "parts", 'd', 1, true, &view)
-        && (a0.after = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "parts", 'd', 2, true, &view)
-        && (a0.program = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "parts", 'd', 1, true, &view)
-        && (a0.answers = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_array(&held, args[3], law, "row", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)
-        && take_bool(args[4], &a4)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS triangular_interlaced_observer_follow(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_triangular_interlaced_observer_settings(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:settings";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = triangular_interlaced_observer_settings(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_triangular_interlaced_observer_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:states";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = triangular_interlaced_observer_states(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_triangular_interlaced_observer_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:step";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  Vector a1;
-  Vector a2;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  result = triangular_interlaced_observer_step(a0, a1, a2);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_triangular_program_apply(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.program:apply";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  double a1;
-  double a2;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_int64_t(args[0], &a0)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)))
-    return let_go(&held);
-  result = triangular_program_apply(a0, a1, a2);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_triangular_program_execute(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.program:execute";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  Table a1;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
-        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a1.m, 4)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS triangular_program_execute(a0, a1); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
+  return PyBool_FromLong(result);
 }
 static PyMethodDef methods[] = {
   {"pointpred_observers.camera.camera_stage:sample_at", (PyCFunction)(void (*)(void))py_camera_camera_stage_sample_at, METH_FASTCALL, NULL},
@@ -2010,26 +1743,14 @@ static PyMethodDef methods[] = {
   {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.unknown_input_filter:row_at) (pointpred_observers.camera.unknown_input_filter:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step, METH_FASTCALL, NULL},
   {"pointpred_observers.nonlinearity:value", (PyCFunction)(void (*)(void))py_nonlinearity_value, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.gradient:finite", (PyCFunction)(void (*)(void))py_regressors_gradient_finite, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:bend", (PyCFunction)(void (*)(void))py_regressors_gradient_bend, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:flow", (PyCFunction)(void (*)(void))py_regressors_gradient_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:jump", (PyCFunction)(void (*)(void))py_regressors_gradient_jump, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:slope", (PyCFunction)(void (*)(void))py_regressors_gradient_slope, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:states", (PyCFunction)(void (*)(void))py_regressors_gradient_states, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:steepness", (PyCFunction)(void (*)(void))py_regressors_gradient_steepness, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:step", (PyCFunction)(void (*)(void))py_regressors_gradient_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.gradient:width", (PyCFunction)(void (*)(void))py_regressors_gradient_width, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:flow", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_flow, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:pace", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_pace, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:slope", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_slope, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:states", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_states, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:step", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:width", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_width, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:drive", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_drive, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:follow", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_follow, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:settings", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_settings, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:states", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_states, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:step", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.program:apply", (PyCFunction)(void (*)(void))py_triangular_program_apply, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.program:execute", (PyCFunction)(void (*)(void))py_triangular_program_execute, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:usable", (PyCFunction)(void (*)(void))py_regressors_gradient_usable, METH_FASTCALL, NULL},
   {NULL, NULL, 0, NULL},
 };
 extern const char digest_of_laws[];

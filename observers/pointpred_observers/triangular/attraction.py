@@ -15,8 +15,7 @@ from pointpred_observers.error_systems.decay import DecayCertificate, certify_de
 from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.triangular.interlaced_observer import output_matrix
 from pointpred_observers.triangular.polynomials import symbolic
-from pointpred_observers.triangular.ranges import enclosure
-from pointpred_observers.triangular.regions import StateRegion, intervals_of
+from pointpred_observers.triangular.ranges import StateRegion, enclosure, intervals_of
 from pointpred_observers.triangular.system import SymbolicSteadyState
 
 TERMS_MOST = 8

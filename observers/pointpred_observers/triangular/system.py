@@ -1,4 +1,4 @@
-"""Systems written as expressions, driven by a generator, and their steady state."""
+"""Systems written as expressions, driven by a generator, and their steady state, also a printed one."""
 
 from __future__ import annotations
 
@@ -8,19 +8,16 @@ from typing import Any, Self
 import msgspec
 import numpy as np
 
-from pointpred.errors import ParameterError
+from pointpred.errors import CertificateError, ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.eigenvalues import number_text
-from pointpred_observers.matrices import listed
-from pointpred_observers.triangular.polynomials import exact, symbolic
-from pointpred_observers.triangular.power_series import Free
+from pointpred_observers.matrices import instance, listed
+from pointpred_observers.triangular.polynomials import Free, composed, cut, exact, shortened, symbolic
 
 BESIDE = 1e-5
 """An eigenvalue within this of another, or of the imaginary axis, relative to the matrix, counts as there."""
 HIGHEST_DEGREE = 15
 """Highest degree of a series; the number of terms sets this limit."""
-SHORTENED_MOST = 400
-"""Most operations in an expression that is simplified; a longer one stays as it is."""
 
 
 class SymbolicGenerator:
@@ -136,13 +133,35 @@ class SymbolicSystem:
             outputs=[e.subs(numbers) for e in self.outputs],
         )
 
+    def functions(self, given: Mapping[Any, Any]) -> dict[Any, Any]:
+        """Maps as functions of the generator; raises ParameterError for one that holds the system's symbols."""
+        found = {symbol: exact(e) for symbol, e in given.items()}
+        for symbol, one in found.items():
+            if foreign := one.free_symbols & {*self.states, *self.zero, self.input}:
+                raise ParameterError(
+                    f"{symbol} must be a function of the generator, received {sorted(map(str, foreign))}"
+                )
+        return found
+
+    def residuals(
+        self, generator: SymbolicGenerator, values: Mapping[Any, Any], kept: Sequence[Any] = ()
+    ) -> dict[Any, Any]:
+        """Dpi s - F(pi, rho, l) of each state, simplified; 0 for those ``kept``, which hold by division."""
+        rows = zip((*self.states, *self.zero), (*self.field, *self.zero_field), strict=True)
+        return {
+            x: symbolic().Integer(0)
+            if x in kept
+            else shortened(generator.along(values[x]) - row.subs(values, simultaneous=True))
+            for x, row in rows
+        }
+
 
 class SymbolicSteadyState(msgspec.Struct, frozen=True):
     """x = pi(w), z = rho(w) and the input u = l(w) that keeps the system there.
 
-    ``exact``: every equation Dpi s = F(pi, rho, l) holds identically; otherwise ``residuals`` hold the
-    differences, of order ``degree`` + 1 at the origin. ``free``: terms that may be added. The steady state
-    need not attract; Propositions 4.3.1 and 4.3.2 do not prove that either.
+    ``residuals`` are the differences Dpi s - F(pi, rho, l), of order ``degree`` + 1 at the origin; the steady
+    state is ``exact`` where they vanish. ``free``: terms that may be added. The steady state need not
+    attract; Propositions 4.3.1 and 4.3.2 do not prove that either.
     """
 
     system: SymbolicSystem
@@ -151,9 +170,13 @@ class SymbolicSteadyState(msgspec.Struct, frozen=True):
     zero_maps: tuple[Any, ...]
     input: Any
     residuals: tuple[Any, ...]
-    exact: bool
     degree: int | None
-    free: tuple[Free, ...]
+    free: tuple[Free, ...] = ()
+
+    @property
+    def exact(self) -> bool:
+        """Whether every equation holds identically."""
+        return all(one == 0 for one in self.residuals)
 
     def outputs(self) -> tuple[Any, ...]:
         """h(rho(w), pi(w))."""
@@ -170,23 +193,85 @@ class SymbolicSteadyState(msgspec.Struct, frozen=True):
 
         def evaluate(w: Any) -> FloatArray:
             columns = np.asarray(w, np.float64)
-            rows = [np.broadcast_to(row, columns.shape[1:]) for row in plain(*columns)]
-            return np.array(rows, np.float64)
+            rows = np.empty((len(wanted), *columns.shape[1:]))
+            for i, row in enumerate(plain(*columns)):
+                rows[i] = row
+            return rows
 
         return evaluate
 
 
-def vanishes(expression: Any) -> tuple[bool, Any]:
-    """Whether an expression simplifies to zero, and its simplified form."""
-    sp = symbolic()
-    if expression.is_polynomial(*expression.free_symbols):
-        short = sp.expand(expression)
-        return bool(short == 0), short
-    rational = expression.is_rational_function(*expression.free_symbols)
-    if sp.count_ops(expression) > (SHORTENED_MOST if rational else SHORTENED_MOST // 8):
-        return bool(expression == 0), expression
-    short = sp.cancel(expression)
-    return bool(short == 0), short
+def check_steady_state(
+    system: SymbolicSystem,
+    generator: SymbolicGenerator,
+    maps: Sequence[Any],
+    input: Any,
+    *,
+    zero: Sequence[Any] = (),
+    degree: int | None = None,
+) -> SymbolicSteadyState:
+    """The steady state x = pi(w), z = rho(w), u = l(w) that somebody printed, if every equation holds.
+
+    Substitutes into Dpi s = F(pi, rho, l) and Drho s = eta(rho, pi, l); nothing is solved.
+
+    Parameters: ``maps`` pi and ``zero`` rho in the order of the system's states, ``input`` l; ``degree`` up
+    to which a truncated series has to hold, ``None`` for identically. Raises CertificateError naming each
+    equation that fails and what it leaves; ParameterError for a wrong number of maps.
+
+    Reference: Khalin 2022, (1.9), Propositions 4.3.1 and 4.3.2.
+
+    >>> import sympy as sp
+    >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
+    >>> plant = SymbolicSystem((x1, x2), (-x1 + x2, x1 + u), u)
+    >>> circle = SymbolicGenerator((w1, w2), (w2, -w1))
+    >>> check_steady_state(plant, circle, (w1 / 2 - w2 / 2, w1), (-w1 + 3 * w2) / 2).exact
+    True
+    >>> check_steady_state(plant, circle, (w1 / 2 - w2 / 2, w1), -w1 / 2)
+    Traceback (most recent call last):
+    pointpred.errors.CertificateError: the printed steady state fails: x2' leaves 3*w2/2
+    """
+    instance("system", system, SymbolicSystem)
+    instance("generator", generator, SymbolicGenerator)
+    maps, zero = listed("maps", maps), listed("zero", zero)
+    if len(maps) != len(system.states) or len(zero) != len(system.zero):
+        raise ParameterError(
+            f"needs {len(system.states)} maps and {len(system.zero)} of the zero dynamics, "
+            f"received {len(maps)} and {len(zero)}",
+            field="maps",
+        )
+    degree = known_degree(degree)
+    symbols = (*system.states, *system.zero, system.input)
+    values = system.functions(dict(zip(symbols, (*maps, *zero, input), strict=True)))
+    residuals, failed, w = system.residuals(generator, values), [], generator.states
+    for state, left in residuals.items():
+        if degree is None:
+            shown = symbolic().factor_terms(symbolic().simplify(left)) if left != 0 else left
+        else:
+            series = {one: symbolic().Poly(one, *w) for one in w}
+            shown = cut(composed(left, series, w, degree), degree).as_expr()
+        if shown != 0:
+            failed.append(f"{state}' leaves {shown}")
+    if failed:
+        raise CertificateError(
+            f"the printed steady state fails: {'; '.join(failed)}",
+            field="maps",
+            value=list(residuals.values()),
+        )
+    left, n = tuple(residuals.values()), len(system.states)
+    *found, ell = values.values()
+    found_degree = degree if any(one != 0 for one in left) else None
+    return SymbolicSteadyState(system, generator, tuple(found[:n]), tuple(found[n:]), ell, left, found_degree)
+
+
+def known_degree(degree: Any) -> int | None:
+    """The degree of a series, or ``None``; raises ParameterError."""
+    if degree is not None and (not isinstance(degree, int) or not 1 <= degree <= HIGHEST_DEGREE):
+        raise ParameterError(
+            f"degree must be a whole number in [1, {HIGHEST_DEGREE}], received {degree!r}",
+            field="degree",
+            value=degree,
+        )
+    return degree
 
 
 def _fields(name: str, states: Sequence[Any], field: Sequence[Any]) -> tuple[Any, Any]:
