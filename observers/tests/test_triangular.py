@@ -1,4 +1,4 @@
-"""Propositions 4.3.1 and 4.3.2, the second corrected, on random systems: both forms and one driven by the other."""
+"""Propositions 4.3.1 and 4.3.2, the second corrected: random systems of both forms, and interlaced ones."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def lower(draw: st.DrawFn) -> SymbolicSteadyState:
 
 @st.composite
 def upper(draw: st.DrawFn) -> SymbolicSteadyState:
-    """Two states that feed forward, whose series end: linear in their own state, quadratic in what follows."""
+    """Two states that feed forward; their series end: linear in their own, quadratic in what follows."""
     last = -draw(RATE) * X2 + draw(PART) * U + draw(PART) * U**2
     first = -draw(RATE) * X1 + draw(PART) * X2 + draw(PART) * X2 * U + draw(PART) * U**2
     return feedforward(plant(first, last), 3, draw(PART) * W1 + draw(PART) * W2)

@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.errors import ParameterError, UndecidedError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.matrices import TIMES, one_of, positive, vector
+from pointpred_observers.matrices import TIMES, matrix, one_of, positive, vector
 
 PASSES_MOST = 200
 """Most passes over a record in which P of Theorem 3.3.3 must settle."""
@@ -54,9 +55,10 @@ def persistent_excitation(
     """
     if one_of("time", time, TIMES) == "continuous":
         times = _increasing(t)
-        starts, sums = _windows(times, _products(len(times), signal, signal), _length(times, window))
+        phi = _samples(signal, len(times))
+        starts, sums = _windows(times, phi, phi, _within(times, window))
     else:
-        phi = _samples(signal, None)
+        phi = _samples(signal)
         if isinstance(window, bool) or not isinstance(window, int) or not 1 <= window <= len(phi):
             raise ParameterError(
                 f"window must be a whole number in [1, {len(phi)}], received {window!r}",
@@ -96,11 +98,17 @@ def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, windo
     True
     """
     times = _increasing(t)
-    window = _length(times, window_s)
+    window = _within(times, window_s)
+    pair = _samples(first, len(times)), _samples(second, len(times))
+    if pair[0].shape[1] != pair[1].shape[1]:
+        raise ParameterError(
+            f"both signals need as many outputs, received {pair[0].shape[1]} and {pair[1].shape[1]}"
+        )
     spreads = []
-    for one, other in ((first, second), (second, first)):
-        _, own = _windows(times, _products(len(times), one, one), window)
-        _, cross = _windows(times, _products(len(times), one, other), window)
+    for one, other in (pair, pair[::-1]):
+        own, cross, whole = (
+            _windows(times, *two, window)[1] for two in ((one, one), (one, other), (other, other))
+        )
         values = np.linalg.eigvalsh(own)
         weakest = float((values[:, 0] / values[:, -1]).min()) if values[:, -1].min() > 0.0 else 0.0
         if weakest < 1e-12:
@@ -109,7 +117,6 @@ def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, windo
                 f"{weakest:.2g} of the largest: choose a longer window"
             )
         ratio = np.linalg.solve(own, cross)
-        _, whole = _windows(times, _products(len(times), other, other), window)
         usual = np.sqrt(np.trace(whole, axis1=1, axis2=2).mean() / np.trace(own, axis1=1, axis2=2).mean())
         spreads.append(float(np.ptp(ratio, axis=0).max() / usual))
     return min(spreads)
@@ -188,32 +195,24 @@ def regression_margin(
     return RegressionMargin(float(margins[k]), float(times[k]), forms[k])
 
 
-def _increasing(t: ArrayLike) -> FloatArray:
+def _increasing(t: ArrayLike | None) -> FloatArray:
     """Times as numbers; raises ParameterError unless there are two and they increase."""
-    times = _numbers("t", t)
-    if times.ndim != 1 or len(times) < 2 or not np.isfinite(times).all() or np.diff(times).min() <= 0.0:
-        raise ParameterError(
-            f"t must be at least two finite, increasing times, received shape {times.shape}", field="t"
-        )
+    times = matrix("t", t, 1)[0]
+    if len(times) < 2 or np.diff(times).min() <= 0.0:
+        raise ParameterError(f"t must be at least two increasing times, received {t!r:.80}", field="t")
     return times
 
 
-def _numbers(name: str, value: ArrayLike) -> FloatArray:
-    """An array of any shape; raises ParameterError for what is no array of numbers."""
+def _samples(signal: ArrayLike, count: int | None = None) -> FloatArray:
+    """A signal of shape (samples, p, n); raises ParameterError for any other or if not finite."""
     try:
-        return np.asarray(value, np.float64)
+        values = np.asarray(signal, np.float64)
     except (TypeError, ValueError) as unusable:
         raise ParameterError(
-            f"{name} must be an array of numbers, received {value!r:.80}", field=name, value=value
+            f"a signal must be numbers, received {signal!r:.80}", field="signal"
         ) from unusable
-
-
-def _samples(signal: ArrayLike, count: int | None) -> FloatArray:
-    """A signal of shape (samples, p, n); raises ParameterError for any other or if not finite."""
-    values = _numbers("signal", signal)
-    if values.ndim == 2:
-        values = values[:, None, :]
-    if values.ndim != 3 or values.size == 0 or (count is not None and len(values) != count):
+    values = values[:, None, :] if values.ndim == 2 else values
+    if values.ndim != 3 or values.size == 0 or count not in (None, len(values)):
         rows = "samples" if count is None else str(count)
         raise ParameterError(
             f"a signal needs shape ({rows}, n) or ({rows}, p, n), received {values.shape}", field="signal"
@@ -223,20 +222,10 @@ def _samples(signal: ArrayLike, count: int | None) -> FloatArray:
     return values
 
 
-def _products(count: int, first: ArrayLike, second: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """Both signals with as many samples as there are times and as many outputs as each other."""
-    one, other = _samples(first, count), _samples(second, count)
-    if one.shape[1] != other.shape[1]:
-        raise ParameterError(
-            f"both signals need as many outputs, received {one.shape[1]} and {other.shape[1]}"
-        )
-    return one, other
-
-
-def _length(times: FloatArray, window: float) -> float:
+def _within(times: FloatArray, window: float) -> float:
     """A window; raises ParameterError for one that is not within the record."""
     length = float(times[-1] - times[0])
-    if isinstance(window, bool) or not isinstance(window, int | float) or not 0.0 < window <= length:
+    if not is_number(window) or not 0.0 < window <= length:
         raise ParameterError(
             f"window must lie in (0, {length:g}] s, the record, received {window!r}",
             field="window",
@@ -246,10 +235,9 @@ def _length(times: FloatArray, window: float) -> float:
 
 
 def _windows(
-    times: FloatArray, pair: tuple[FloatArray, FloatArray], window: float
+    times: FloatArray, one: FloatArray, other: FloatArray, window: float
 ) -> tuple[FloatArray, FloatArray]:
     """Starts of all windows, and the integral of the product over each, exact for linear pieces."""
-    one, other = pair
     total = np.zeros((len(times), one.shape[2], other.shape[2]))
     total[1:] = np.cumsum(_piece(np.diff(times), one[:-1], one[1:], other[:-1], other[1:]), axis=0)
     starts = times[: np.searchsorted(times, times[-1] - window, side="right")]

@@ -36,7 +36,7 @@ MONOTONE = tuple(name for name, one in KNOWN.items() if one.low >= 0.0 and np.is
 
 
 class Memory(Layout):
-    """Unknowns n, outputs p, floats of a sample, kind of law, code of f, its steepest slope; then ``Parts``."""
+    """Unknowns n, outputs p, floats of a sample, kind of law, code of f, its slope; then ``Parts``."""
 
     count: float
     outputs: float
@@ -65,7 +65,7 @@ class Parts(NamedTuple):
 
 
 class Sample(NamedTuple):
-    """The regressor (p, n) and the outputs y (p), one behind the other; in the nonlinear law D1 is the last."""
+    """The regressor (p, n), then the outputs y (p); in the nonlinear law D1 follows them."""
 
     D: FloatTable
     y: FloatArray
@@ -251,7 +251,7 @@ class _Estimator(CompiledStage):
     def _taken(
         self, regressor: ArrayLike, output: ArrayLike, weights: list[float], t: Any
     ) -> FloatArray | None:
-        """The estimate after a sample, ``None`` where it is too steep; raises EventError for an invalid one."""
+        """The estimate after a sample, ``None`` where it is too steep; raises EventError."""
         memory = Memory(self._memory)
         started, last = parts_of(memory).clock.tolist()
         try:
@@ -418,16 +418,16 @@ def _positive(count: int, gain: ArrayLike) -> FloatArray:
     def wrong(must: str) -> ParameterError:
         return ParameterError(f"gain must {must}, received {gain!r}", field="gain", value=gain)
 
+    shapes = f"be a finite number, {count} or {count} x {count}"
     try:
-        values = np.asarray(gain, np.float64)
+        values = np.array(gain, np.float64)
     except (TypeError, ValueError) as unusable:
-        raise wrong("be numbers") from unusable
+        raise wrong(shapes) from unusable
     if values.shape not in ((), (count,), (count, count)) or not np.isfinite(values).all():
-        raise wrong(f"be a finite number, {count} or {count} x {count}")
-    matrix = np.diag(np.broadcast_to(values, count)) if values.ndim < 2 else values
-    if np.abs(matrix - matrix.T).max() > 1e-12 * np.abs(matrix).max():
+        raise wrong(shapes)
+    square = values if values.ndim == 2 else np.diag(np.broadcast_to(values, count))
+    if np.abs(square - square.T).max() > 1e-12 * np.abs(square).max():
         raise wrong("be symmetric")
-    least = float(np.linalg.eigvalsh(matrix).min())
-    if least <= 0.0:
+    if (least := float(np.linalg.eigvalsh(square).min())) <= 0.0:
         raise wrong(f"be positive definite, its least eigenvalue is {least:g}")
-    return np.array(matrix, np.float64)
+    return square

@@ -6,6 +6,7 @@ Propositions 4.3.1 and 4.3.2, the second corrected, and the interlaced form (4.1
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 from pointpred.errors import ParameterError
@@ -84,7 +85,7 @@ def interlaced(
             )
         given |= zip(system.zero, zero, strict=True)
     return _Solving(system, generator, known_degree(degree), region, system.functions(given)).solve(
-        dict(zip(chain, chain[1:], strict=False)), [(x,) for x in system.states[:upper][::-1]]
+        dict(pairwise(chain)), [(x,) for x in system.states[:upper][::-1]]
     )
 
 

@@ -6,8 +6,8 @@ w' = A w + L (y - C w) is followed from the outputs, then the maps of the steady
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable
-from math import sqrt
+from collections.abc import Callable, Sequence
+from math import isfinite, nan, sqrt
 from typing import Any, ClassVar, Self
 
 import msgspec
@@ -383,8 +383,8 @@ class InterlacedStage:
 
     Between two samples y is linear. Over an interval longer than ``gap_s``, or without a measurement at one
     end, the generator runs alone; it bridges 1000 of its fastest time constants. After a longer interval w
-    restarts, which without ``gap_s`` is refused. The equation of w is integrated in compiled code, the maps
-    are numpy functions; values that are not finite are NaN.
+    restarts, which without ``gap_s`` is refused. The equation of w is integrated in compiled code; values of
+    the maps that are not finite are NaN.
 
     Parameters: ``observer`` the design; ``start`` of w; ``gap_s`` s. Returns ``InterlacedEstimate`` from
     ``update``. Raises ParameterError, and EventError and EventOrderError from ``update`` and ``walk``.
@@ -411,9 +411,10 @@ class InterlacedStage:
         )
         self._last: float | None = None
         self._maps = _numerical(steady)
+        self.width = q + len(steady.maps) + len(steady.zero_maps) + 1
 
     def update(self, y: ArrayLike | None, t: float) -> InterlacedEstimate:
-        """Process the outputs at ``t`` s, NaN where one is missing, ``None`` for all, and return the estimate.
+        """The estimate after the outputs at ``t`` s, NaN where one is missing, ``None`` for all.
 
         Raises EventError for values that are not finite or of another length and for too long an interval,
         EventOrderError when time runs backwards; the stage is then unchanged.
@@ -430,8 +431,9 @@ class InterlacedStage:
             self._generator.recall(before)
             raise
         self._last = now
-        values, q, n = self._mapped(w).tolist(), len(w), len(w) + len(self.observer.steady.maps)
-        return InterlacedEstimate(now, tuple(values[:q]), tuple(values[q:n]), tuple(values[n:-1]), values[-1])
+        at, n = tuple(w.tolist()), len(self.observer.steady.maps)
+        *maps, push = self._mapped(at)
+        return InterlacedEstimate(now, at, tuple(maps[:n]), tuple(maps[n:]), push)
 
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Rows (w, x, z, u) for rows (t, outputs), starting again before each that is marked ``begin``."""
@@ -453,7 +455,8 @@ class InterlacedStage:
             np.insert(marks, alone, values=False), np.insert(rows, alone, unmeasured, axis=0)
         )
         self._last = last
-        return self._mapped(np.delete(w, np.array(alone, int) + np.arange(len(alone)), axis=0).T).T
+        kept = np.delete(w, np.array(alone, int) + np.arange(len(alone)), axis=0).tolist()
+        return np.array([[*one, *self._mapped(one)] for one in kept]).reshape(len(rows), self.width)
 
     def reset(self) -> None:
         """Forget every sample."""
@@ -466,11 +469,15 @@ class InterlacedStage:
         twin.reset()
         return twin
 
-    def _mapped(self, w: FloatArray) -> FloatArray:
-        """W and the maps there, of shape (q + n + 1,) or (q + n + 1, N)."""
-        with np.errstate(all="ignore"):
-            values = self._maps(w)
-        return np.concatenate([w, np.where(np.isfinite(values), values, np.nan)])
+    def _mapped(self, w: Sequence[float]) -> list[float]:
+        """The maps at w; numpy's function answers where Python's numbers raise."""
+        quick, whole = self._maps
+        try:
+            values = [float(one) for one in quick(*w)]
+        except (ArithmeticError, TypeError, ValueError):
+            with np.errstate(all="ignore"):
+                values = whole(w).tolist()
+        return [one if isfinite(one) else nan for one in values]
 
     def __getstate__(self) -> dict[str, Any]:
         """A memory of its own, and everything but the function, which sympy makes again."""
@@ -481,18 +488,20 @@ class InterlacedStage:
         self._maps = _numerical(self.observer.steady)
 
 
-def _numerical(steady: SymbolicSteadyState) -> Callable[[Any], FloatArray]:
-    """The maps as a numpy function; raises ParameterError for a function without a numerical form."""
+def _numerical(steady: SymbolicSteadyState) -> tuple[Callable[..., Any], Callable[[Any], FloatArray]]:
+    """The maps as a function of numbers and as numpy's; raises ParameterError where one has no values."""
+    wanted = (*steady.maps, *steady.zero_maps, steady.input)
     try:
-        function = steady.function()
+        whole = steady.function()
         with np.errstate(all="ignore"):
-            function(np.zeros(len(steady.generator.states)))
+            whole(np.zeros(len(steady.generator.states)))
     except (NameError, TypeError, AttributeError, NotImplementedError, SyntaxError) as unusable:
         raise ParameterError(
             f"the maps hold a function that has no numerical form: {unusable}; give it one by sympy's "
             "implemented_function"
         ) from unusable
-    return function
+    modules = ["math", "scipy", "numpy"]
+    return symbolic().lambdify(steady.generator.states, wanted, modules=modules, cse=True), whole
 
 
 def driven_field(

@@ -141,10 +141,10 @@ def power_series(
 ) -> tuple[dict[Any, Any], list[Free]]:
     """The response x = pi(w) of x' = F(x, w) to w' = s(w) up to a degree, and its free terms, set to zero.
 
-    The terms of degree k of Dpi(w) s(w) = F(pi(w), w) solve a linear equation that depends on the linear parts
-    A of F and S of s only. It is singular where an eigenvalue of A is a sum of k eigenvalues of S, a resonance;
-    one whose equation is still solvable leaves terms free. Assumes analytic F and s with F(0, 0) = 0 and
-    s(0) = 0. Parameters without value are generic: resonances at particular values are not detected.
+    The terms of degree k of Dpi(w) s(w) = F(pi(w), w) solve a linear equation that depends on the linear
+    parts A of F and S of s only. It is singular where an eigenvalue of A is a sum of k eigenvalues of S, a
+    resonance; one whose equation is still solvable leaves terms free. Assumes analytic F and s with F(0, 0) =
+    0 and s(0) = 0. Parameters without value are generic: resonances at particular values are not detected.
 
     Parameters: ``unknowns`` x and ``fields`` F, ``inputs`` other symbols of F as expressions in w, ``over``
     the states w of the generator and ``motion`` s. Raises ParameterError, and InfeasibleError at a resonance

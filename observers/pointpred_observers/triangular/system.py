@@ -134,7 +134,7 @@ class SymbolicSystem:
         )
 
     def functions(self, given: Mapping[Any, Any]) -> dict[Any, Any]:
-        """Maps as functions of the generator; raises ParameterError for one that holds the system's symbols."""
+        """Maps as functions of the generator; raises ParameterError for one of the system's symbols."""
         found = {symbol: exact(e) for symbol, e in given.items()}
         for symbol, one in found.items():
             if foreign := one.free_symbols & {*self.states, *self.zero, self.input}:
