@@ -139,7 +139,7 @@ def of_design(name: str, design: Any) -> list[Fact]:
     ways = 2 if design.generator.G.any() else 1  # noise of Y reaches the error through M, and through G
     noise = mpmath.sqrt(ways * values(v["Gamma"])[-1] / (c * p[0]))
     return [
-        (name, "rate, 1/s", design.bound.rate, c / 2),
+        (name, "rate, 1/s", design.bound.decay, c / 2),
         (name, "overshoot", design.bound.overshoot, mpmath.sqrt(p[-1] / p[0])),
         (name, "gain of the noise", design.bound.gains[0], noise),
         (name, "margin of the inequality", design.margins["the LMI"], -dissipation(design)),
@@ -189,7 +189,7 @@ def masses() -> list[Fact]:
     c, sizes = least_ratio(v["Xi"], p), values(p)
     overshoot = mpmath.sqrt(sizes[-1] / sizes[0])
     return [
-        ("5", "rate, 1/s", certificate.bound.rate, c / 2),
+        ("5", "rate, 1/s", certificate.bound.decay, c / 2),
         ("5", "overshoot", certificate.bound.overshoot, overshoot),
         ("5", "gain of delta", certificate.bound.gains[0], overshoot / mpmath.sqrt(c * gamma)),
         ("5", "margin of the inequality", certificate.margins["the inequality"], -values(whole)[-1]),
@@ -247,7 +247,7 @@ def of_interlaced(name: str, row: list[float]) -> list[Fact]:
     c, sizes = least_ratio(q, p), values(p)
     whole = stacked([[corner + corner.T + q, -u], [-u.T, -gamma]])
     return [
-        (name, "rate, 1/s", certificate.bound.rate, c / 2),
+        (name, "rate, 1/s", certificate.bound.decay, c / 2),
         (name, "overshoot", certificate.bound.overshoot, mpmath.sqrt(sizes[-1] / sizes[0])),
         (
             name,

@@ -71,7 +71,7 @@ def design(plant: Any, kind: str | None = None, *, decay: float = 1.0, **options
     >>> from pointpred_observers import Persidskii, stage
     >>> cart = Persidskii([[0.0, 1.0], [0.0, -1.0]], B=[0.0, 1.0], C0=[1.0, 0.0])
     >>> observer = design(cart, "full", decay=2.0)
-    >>> observer.bound.rate >= 2.0, min(observer.margins.values()) > 0.0
+    >>> observer.bound.decay >= 2.0, min(observer.margins.values()) > 0.0
     (True, True)
     >>> running = stage(observer)
     >>> running.update(0.0, [0.1, 0.0]).tolist()  # t, then the output and the input

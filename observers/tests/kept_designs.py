@@ -50,7 +50,7 @@ def design(name: str) -> Any:
 
 def _interlaced() -> Any:
     return InterlacedObserver.design(
-        o.interlaced(SYMBOLIC, CIRCLE, 1, W1, degree=2), rate=0.5, start=[0.5, 0.0]
+        o.interlaced(SYMBOLIC, CIRCLE, 1, W1, degree=2), decay=0.5, start=[0.5, 0.0]
     )
 
 

@@ -263,4 +263,4 @@ def test_the_circuits_of_example_4_are_not_contracting_where_they_oscillate() ->
     plant, generator = chua_circuits(1.0)
     assert steady_state_map(plant, generator).Pi == pytest.approx(np.eye(3), abs=1e-9)
     found = assumption_3_2_2(plant, generator)
-    assert found.bound.rate > 0.0
+    assert found.bound.decay > 0.0

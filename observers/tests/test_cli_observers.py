@@ -117,10 +117,10 @@ def test_both_bounds_of_a_regulator_are_written_and_named(command: Command, tmp_
     assert list(written["bounds"]) == ["x - Pi w", "Pi w"]
     for name, bound in (("x - Pi w", error), ("Pi w", estimate)):
         one = written["bounds"][name]
-        assert (one["decay"], one["overshoot"]) == (bound.rate, bound.overshoot)
+        assert (one["decay"], one["overshoot"]) == (bound.decay, bound.overshoot)
         assert tuple(one["gains"].values()) == bound.gains
     shown = " ".join(command("observers", "audit", tmp_path / "design.json").out.split())
-    for words in ("proved of x - Pi w", "proved of Pi w", f"{error.rate:.6g}", f"{estimate.rate:.6g}"):
+    for words in ("proved of x - Pi w", "proved of Pi w", f"{error.decay:.6g}", f"{estimate.decay:.6g}"):
         assert words in shown
 
 

@@ -67,7 +67,7 @@ def test_an_error_system_of_ones_own_is_checked(changed: dict[str, Any], field: 
     """With "Discrete" read as continuous, e+ = -3 e would be proved to decay."""
     right: dict[str, Any] = {"A": [[[-3.0]]], "B": [[[1.0]]], "C": [[1.0]], "names": [""]}
     right |= {"disturbances": {"d": 1}, "time": "continuous"}
-    assert certify_decay(ErrorSystem(**right)).bound.rate > 0.0
+    assert certify_decay(ErrorSystem(**right)).bound.decay > 0.0
     with pytest.raises(InfeasibleError):
         certify_decay(ErrorSystem(**{**right, "time": "discrete"}))
     with pytest.raises(ParameterError) as refused:
@@ -172,7 +172,7 @@ def test_errors_stay_below_the_bound_for_slopes_that_change(seed: int, discrete:
 
     start = rng.normal(size=2)
     times = np.arange(0, 30) if discrete else np.arange(0.0, 8.0, 0.25)
-    errors = trajectory(field, start, times, integrator="discrete" if discrete else "rk4", step_s=0.01)
+    errors = trajectory(field, start, times, time=time)
     largest = float(np.linalg.norm(pushes))
     for t, e in zip(times, errors, strict=True):
         assert np.linalg.norm(e) <= found.bound(float(t), float(np.linalg.norm(start)), d=largest) + 1e-12
@@ -251,7 +251,7 @@ def test_the_error_system_of_an_unknown_input_observer_has_its_zeros() -> None:
     assert errors.names == ("k = -3", "k = -1")
     for a, zero in zip(errors.A, (-3.0, -1.0), strict=True):
         assert np.abs(np.linalg.eigvals(a) - zero).min() < 1e-9
-    assert certify_decay(errors, decay=0.5).bound.rate == 0.5
+    assert certify_decay(errors, decay=0.5).bound.decay == 0.5
 
 
 def test_the_error_system_of_an_interlaced_observer() -> None:
@@ -262,7 +262,7 @@ def test_the_error_system_of_an_interlaced_observer() -> None:
     x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -sp.sin(x2) + u), u, outputs=(x2,))
     steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), upper=1, first=w1, degree=2)
-    observer = InterlacedObserver.design(steady, rate=0.3, gain=[[1.0], [0.0]])
+    observer = InterlacedObserver.design(steady, decay=0.3, gain=[[1.0], [0.0]])
     system = observer.error_system()
     assert system.A[0] == pytest.approx(np.array([[-1.0, 1.0], [-1.0, 0.0]]))
     # From noise to w1^: (s + ...) / (s^2 + s + 1), whose gain at 1 rad/s is 1.

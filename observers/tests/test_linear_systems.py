@@ -79,7 +79,7 @@ def test_systems_of_python_control() -> None:
     control = pytest.importorskip("control", reason="python-control is a tool of the tests only")
     for system in (control.ss(A, B, C, D), control.ss(control.tf([1.0], [1.0, 0.5, 2.0]))):
         design = ReducedOrderObserver.design(system, decay=2.0)
-        assert design.certificate.bound.rate >= 2.0 - 1e-9
+        assert design.certificate.bound.decay >= 2.0 - 1e-9
     sampled = control.c2d(control.ss(A, B, C, D), 0.1)
     assert as_plant(sampled).time == "discrete"
     assert np.array_equal(as_plant(sampled).A0, sampled.A)

@@ -56,7 +56,7 @@ def test_the_stage_follows_its_differential_equation(seed: int) -> None:
     found = np.array([stage.update(row[0], row[1:]) for row in rows])
     w = [parts["start"]]
     for pair in zip(rows[:-1, 0], rows[1:, 0], strict=True):  # the inputs have a kink at each sample
-        w.append(trajectory(field, w[-1], pair, integrator="scipy", step_s=1.0, tolerance=1e-10)[-1])
+        w.append(trajectory(field, w[-1], pair, step_s=1.0, tolerance=1e-10)[-1])
     assert np.allclose(found, [one + parts["R1"] @ f(parts["J"] @ one) for one in w], atol=1e-6)
 
 

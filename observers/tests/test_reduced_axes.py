@@ -77,7 +77,7 @@ def test_a_search_may_begin_at_any_condition_number(monkeypatch: pytest.MonkeyPa
     turn = np.array([[0.8, -0.6], [0.6, 0.8]])
     p = turn @ np.diag([1.0, 1e10]) @ turn.T
     certificate = certify_convergence(observer, decay=0.5, near={"P": 0.5 * (p + p.T)})
-    assert 0.5 <= certificate.bound.rate <= 0.50001
+    assert 0.5 <= certificate.bound.decay <= 0.50001
 
 
 @pytest.mark.slow

@@ -89,7 +89,7 @@ def test_example_6_converges_although_the_condition_of_theorem_3_3_3_fails() -> 
         s = row @ w
         return np.asarray(0.75 * row * (fused(now) - (1.0 - share) * s - share * np.arctan(s)))
 
-    other = trajectory(slope, [0.0, 0.0], t[::200], integrator="scipy", tolerance=1e-9)
+    other = trajectory(slope, [0.0, 0.0], t[::200], tolerance=1e-9)
     assert found[::200] == pytest.approx(other, abs=1e-3)
     error = np.linalg.norm(found - x, axis=1)
     assert error[0] > 5.0

@@ -154,7 +154,7 @@ def test_a_discrete_regulator() -> None:
         g = design.regulator
         return np.concatenate([plant.field(k, x, g.output(w, f=f)), g.field(w, y=plant.output(k, x), f=f)])
 
-    end = trajectory(onward, [0.5, 0.0, 0.0, 0.0], np.arange(400), integrator="discrete")[-1]
+    end = trajectory(onward, [0.5, 0.0, 0.0, 0.0], np.arange(400), time="discrete")[-1]
     assert np.abs(end).max() < 1e-4
 
 

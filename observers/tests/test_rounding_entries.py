@@ -50,7 +50,7 @@ def test_the_output_is_used_where_a_mode_is_too_slow(time: str) -> None:
         unneeded = time == "discrete" and decay == 0.1
         assert design.Upsilon.any() != unneeded
         assert (design.gap == 0.0) == unneeded
-        assert design.certificate.bound.rate >= decay * (1.0 - 1e-9)
+        assert design.certificate.bound.decay >= decay * (1.0 - 1e-9)
 
 
 def test_an_entry_that_has_digits_stays() -> None:

@@ -66,7 +66,7 @@ def of_regulator(coupling: float) -> dict[str, float]:
 
 def of_interlaced(coupling: float) -> dict[str, float]:
     plant = axes(coupling)
-    found = certify_interlaced(plant.A0, plant.C0, rate=1.0)
+    found = certify_interlaced(plant.A0, plant.C0, decay=1.0)
     sizes = {"gain": float(np.abs(found.L).max()), "overshoot": found.overshoot, "noise": found.noise_gain}
     return {**sizes, "speed": noise(plant, found.L)}
 

@@ -8,12 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
 
 import pointpred_observers as o
 from observers.tests.printed import check_map, check_observer
 from pointpred.errors import ParameterError, PointpredError
-from pointpred_observers.bounds import convergence_bound, interconnection_bound
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
@@ -41,10 +39,9 @@ from pointpred_observers.thesis import (
     theorem_4_4_1,
     undetectable,
 )
-from pointpred_observers.trajectories import SeededSignal
-from pointpred_observers.triangular.forms import feedback, feedforward
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
-from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
+from pointpred_observers.unknown_input.observer import UnknownInputObserver, zeros_over
 
 sp = pytest.importorskip("sympy")
 X1, X2, U, W1, W2 = sp.symbols("x1 x2 u w1 w2")
@@ -153,10 +150,10 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     ),
     (theorem_3_3_2, {"observer": REDUCED.observer, "slopes": (0, 1), "gamma": 1.0, "times": None}),
     (theorem_4_4_1, {"a": [[0.0]], "c": [[1.0]]}),
-    (certify_interlaced, {"a": [[0.0]], "c": [[1.0]], "rate": 0.5, "gain": [[1.0]]}),
+    (certify_interlaced, {"a": [[0.0]], "c": [[1.0]], "decay": 0.5, "gain": [[1.0]]}),
     (undetectable, {"A": [[0.0]], "C": [[1.0]], "time": "continuous"}),
     (o.invariant_zeros, {"a": np.eye(2), "f": np.eye(2, 1), "c": np.eye(1, 2)}),
-    (o.invariant_zeros, {"a": VARYING, "f": BOX}),
+    (zeros_over, {"system": VARYING, "box": BOX}),
     (o.Box, {"bounds": {"k": (0.0, 1.0)}}),
     (
         o.ParameterVaryingSystem,
@@ -170,19 +167,19 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
             "time": "continuous",
         },
     ),
-    (UnknownInputObserver.design, {"system": VARYING, "box": BOX, "decay": 0.5, "output_decay": 5.0}),
+    (UnknownInputObserver.design, {"system": VARYING, "box": BOX, "sigma": 1.0, "output_rate": 5.0}),
     (
-        feedback,
+        o.interlaced,
         {
             "system": CHAIN,
             "generator": CIRCLE,
+            "upper": 0,
             "first": W1,
             "zero": None,
             "degree": 2,
             "region": {W1: (-1, 1), W2: (-1, 1)},
         },
     ),
-    (feedforward, {"system": SYSTEM, "generator": CIRCLE, "input": W1, "degree": 2, "zero": None}),
     (
         o.interlaced,
         {"system": SYSTEM, "generator": CIRCLE, "upper": 1, "first": W1, "degree": 2, "region": None},
@@ -191,7 +188,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (o.SymbolicSystem, {"states": (X1, X2), "field": (-X1, U), "input": U, "zero": (), "outputs": (X1,)}),
     (
         InterlacedObserver.design,
-        {"steady": STEADY, "rate": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
+        {"steady": STEADY, "decay": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
     ),
     (check_map, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "rounding": 0.1}),
     (
@@ -246,7 +243,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     ),
     (
         o.trajectory,
-        {"field": lambda t, x: -x, "start": [1.0], "times": [0.0, 0.1], "integrator": "rk4", "step_s": 0.1},
+        {"field": lambda t, x: -x, "start": [1.0], "times": [0.0, 0.1], "time": "continuous", "step_s": 0.1},
     ),
     (
         o.simulate,
@@ -265,12 +262,6 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (FullOrderObserver.design, {"plant": PLANT, "decay": 1.0, "gain": [[3.0], [0.0]]}),
     (o.CornerSystem, {"box": BOX, "A": [[-1.0]], "F": [[1.0]], "C": [[1.0]], "rates": {}, "sizes": [1.0]}),
     (o.audit, {"design": REDUCED}),
-    (SeededSignal, {"seed": 1, "size": 1, "amplitude": 1.0, "kind": "uniform", "period_s": 0.1}),
-    (convergence_bound, {"P": [[1.0]], "Xi": [[1.0]], "gamma": 1.0}),
-    (
-        interconnection_bound,
-        {"P": [[1.0]], "Theta": [[1.0]], "Gamma": [[1.0]], "Xi": [[1.0]], "time": "continuous", "G": [[1.0]]},
-    ),
 ]
 
 
@@ -304,6 +295,6 @@ def test_matrices_and_regions_in_the_forms_that_people_write() -> None:
     fixed = o.ParameterVaryingSystem([[-1.0, 1.0], [0.0, -2.0]], [[1.0], [0.0]], [[1.0, 0.0]])
     assert UnknownInputObserver.design(fixed, o.Box({"any": (0.0, 1.0)}), 0.5).certificate.margin > 0.0
     for region in ({W1: (-1.0, 1.0), "w2": (-1.0, 1.0)}, [(-1.0, 1.0), (-1.0, 1.0)]):
-        assert feedback(CHAIN, CIRCLE, W1, region=region).exact
+        assert o.interlaced(CHAIN, CIRCLE, 0, W1, region=region).exact
     with pytest.raises(ParameterError, match="region needs w2, received"):
-        feedback(CHAIN, CIRCLE, W1, region={W1: (-1.0, 1.0)})
+        o.interlaced(CHAIN, CIRCLE, 0, W1, region={W1: (-1.0, 1.0)})

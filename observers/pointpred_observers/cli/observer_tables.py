@@ -75,7 +75,7 @@ class SimulationDocument(msgspec.Struct, frozen=True):
 def summary(design: Observer) -> DesignDocument:
     """The numbers that a certificate proves of the error."""
     bounds = {
-        name: ProvedBound(one.rate, one.overshoot, dict(zip(one.disturbances, one.gains, strict=True)))
+        name: ProvedBound(one.decay, one.overshoot, dict(zip(one.disturbances, one.gains, strict=True)))
         for name, one in design.bounds.items()
     }
     gap = float(design.gap) if design.gap <= KNOWN else None
@@ -139,7 +139,7 @@ def _tables(design: Observer, label: str) -> list[Table]:
         table = Table(box=None, pad_edge=False)
         table.add_column(ABOUT[part])
         table.add_column("", justify="right")
-        table.add_row(f"decays at least at [{unit}]", f"{bound.rate:.6g}")
+        table.add_row(f"decays at least at [{unit}]", f"{bound.decay:.6g}")
         table.add_row("overshoot at most", f"{bound.overshoot:.4g}")
         for name, gain in zip(bound.disturbances, bound.gains, strict=True):
             table.add_row(f"gain of {DISTURBANCES.get(name, name)} at most", f"{gain:.4g}")

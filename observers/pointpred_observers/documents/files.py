@@ -165,7 +165,7 @@ def audit(observer: Observer) -> dict[str, float]:
 
 def _require_bound(claimed: ErrorBound, proved: ErrorBound) -> None:
     """Raise CertificateError where a claimed bound is smaller than the one that is proved."""
-    sizes, least = ((one.overshoot, 1.0 / one.rate, one.rest, *one.gains) for one in (claimed, proved))
+    sizes, least = ((one.overshoot, 1.0 / one.decay, one.rest, *one.gains) for one in (claimed, proved))
     if len(sizes) != len(least) or not all(
         size >= proof * (1.0 - TOLERANCE) for size, proof in zip(sizes, least, strict=True)
     ):

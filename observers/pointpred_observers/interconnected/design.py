@@ -10,8 +10,8 @@ import numpy as np
 from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.balance import form, inward, outward
-from pointpred_observers.bounds import ErrorBound, interconnection_bound, region
+from pointpred_observers.balance import Coordinates, inward
+from pointpred_observers.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
 from pointpred_observers.detectability import require_detectable
 from pointpred_observers.documents.entries import (
     Document,
@@ -27,7 +27,7 @@ from pointpred_observers.documents.entries import (
 from pointpred_observers.documents.plants import GeneratorDocument, PlantDocument
 from pointpred_observers.equalities import TOLERANCE
 from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
-from pointpred_observers.inequalities.audit import answer_of_a_search
+from pointpred_observers.inequalities.definite import solved
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.interconnected.generator import Fitted, Generator
 from pointpred_observers.interconnected.interconnection import Interconnection, theorem_3_2_1
@@ -40,6 +40,7 @@ from pointpred_observers.matrices import dimensions, instance, matrix, positive,
 from pointpred_observers.observer import Observer
 from pointpred_observers.persidskii import Persidskii
 from pointpred_observers.rounding import without_rounding
+from pointpred_observers.search import Posed, search
 from pointpred_observers.simulations.persidskii import (
     UNUSED,
     like,
@@ -306,48 +307,49 @@ def driven(
         )
     require_map(plant, generator, connection.pi)
     q, p = connection.g.q, plant.p
-    units = connection.units(decay)
-    x, y, t = units.states, units.outputs, units.seconds
-    c = 2.0 * decay * t if plant.time == "continuous" else 1.0 - float(np.exp(-2.0 * decay))
-    fixed: dict[str, Any] = {
-        "Theta": lambda v: np.eye(q) + c * v.P,
-        "Gamma": lambda v: v.bound * np.eye(p),
-        "Xi": lambda v: v.bound * np.eye(q),
-    }
-    problem = MatrixInequalities("Theorem 3.2.1").positive("P", q).number("bound")
-    if gain is None:
-        problem.free("U", q, p)
-    else:
-        fixed_gain = matrix("gain", gain, q, p)
-        inner_gain = inward(fixed_gain, x, y, t)
-        fixed["U"] = lambda v: v.P @ inner_gain
-    if connection.sloped and plant.time == "continuous":
-        problem.symmetric("W", q)
-    balanced_connection = connection.inward(units)
-    state = balanced_connection.state(problem, **fixed)
-    near = _start(balanced_connection, c) if gain is None else None
-    solution = state.solve(minimise=lambda v: v.bound, near=near)
-    answer = solution.values
-    inner = {**answer, **{name: function(_Attributes(answer)) for name, function in fixed.items()}}
-    m = outward(np.linalg.solve(answer["P"], answer["U"]), x, y, t) if gain is None else fixed_gain
-    values = {
-        "P": form(inner["P"], x),
-        "Theta": form(inner["Theta"], x, t),
-        "Gamma": form(inner["Gamma"], y, t),
-        "Xi": form(inner["Xi"], x, 1.0 / t),
-    }
-    if "W" in inner:
-        values["W"] = form(inner["W"], x, t)
-    gap = np.inf if solution.gap is None else solution.gap
-    with answer_of_a_search():
+    fixed_gain = None if gain is None else matrix("gain", gain, q, p)
+
+    def posed(units: Coordinates) -> Posed:
+        x, y, t = units.states, units.outputs, units.seconds
+        c = 2.0 * decay * t if plant.time == "continuous" else 1.0 - float(np.exp(-2.0 * decay))
+        fixed: dict[str, Any] = {
+            "Theta": lambda v: np.eye(q) + c * v.P,
+            "Gamma": lambda v: v.bound * np.eye(p),
+            "Xi": lambda v: v.bound * np.eye(q),
+        }
+        problem = MatrixInequalities("Theorem 3.2.1").positive("P", q).number("bound")
+        if fixed_gain is None:
+            problem.free("U", q, p)
+        else:
+            inner_gain = inward(fixed_gain, x, y, t)
+            fixed["U"] = lambda v: v.P @ inner_gain
+        if connection.sloped and plant.time == "continuous":
+            problem.symmetric("W", q)
+        inner, form = connection.inward(units), np.outer(x, x)
+        measured = {
+            "P": form,
+            "Theta": t * form,
+            "Gamma": t * np.outer(y, y),
+            "Xi": form / t,
+            "U": t * np.outer(x, y),
+            "W": t * form,
+        }
+        near = _start(inner, c) if fixed_gain is None else None
+        return Posed(inner.state(problem, **fixed), measured, lambda v: v.bound, near, fixed)
+
+    def audited(values: dict[str, Any], gap: float) -> DrivenObserver:
+        u = values.pop("U")
+        if fixed_gain is not None:
+            return certified_design(plant, generator, Pi, fixed_gain, values, gap)
+        m = solved(values["P"], u)
         try:
             return certified_design(plant, generator, Pi, m, values, gap)
         except CertificateError:
-            if gain is not None:
-                raise
             # The rounding of a large M = P^-1 U can exceed the margins of U: that M needs a P of its own.
             again = driven(plant, generator, Pi, gain=m, decay=decay)
             return msgspec.structs.replace(again, gap=np.inf)
+
+    return search(connection.units(decay), posed, audited)
 
 
 def certified_design(
@@ -374,9 +376,11 @@ def certified_design(
     # M runs, not P^-1 U: the rounding of P M counts as well, large beside U where P is nearly singular.
     theorem.unknowns.computed("U", np.abs(values["P"]) @ np.abs(m))
     theorem.check(values, printed=False)
-    bound = interconnection_bound(
-        values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True, G=g.G
-    )
+    # V' <= -e'Theta e + max Gamma (abs(v)^2 + abs(v + eps)^2) + max Xi abs(w)^2, the first v only through G.
+    noise, drive = eigenvalues("Gamma", values["Gamma"])[-1], eigenvalues("Xi", values["Xi"])[-1]
+    decay = decay_of(values["P"], values["Theta"], plant.time)
+    drives = {"v": 2.0 * noise if g.G.any() else noise, "eps": noise, "w": drive}
+    bound = proved_bound(values["P"], decay, drives, plant.time)
     copy = np.array_equal(connection.pi, np.eye(plant.n)) and not plant.m
     copy = copy and np.array_equal(g.S0, plant.A0) and np.array_equal(g.E, plant.Q)
     kind = FullOrderObserver if copy else DrivenObserver
@@ -400,11 +404,6 @@ def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None
         f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}, {part:.1g} of its terms: "
         "take Pi from steady_state_map, with all digits"
     )
-
-
-class _Attributes:
-    def __init__(self, values: dict[str, Any]) -> None:
-        self.__dict__.update(values)
 
 
 def _start(connection: Interconnection, c: float) -> dict[str, Any] | None:

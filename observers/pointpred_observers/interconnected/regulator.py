@@ -187,7 +187,7 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
             feedback=Feedback(
                 L0=entries(feedback.L0),
                 L1=entries(feedback.L1),
-                decay=feedback.certificate.bound.rate,
+                decay=feedback.certificate.bound.decay,
                 certificate=plain(feedback.certificate.values),
             ),
             equations=None

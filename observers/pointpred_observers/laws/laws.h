@@ -256,9 +256,8 @@ int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memo
 double interconnected_persidskii_law_along(double total, Vector row, Vector vector);
 double interconnected_persidskii_law_along_both(double total, Vector row, Vector one, Vector other);
 void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector to);
-void interconnected_persidskii_law_bridge(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h);
 int64_t interconnected_persidskii_law_floats(int64_t q, int64_t k, int64_t inputs);
-void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double begin, double h);
+void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h, bool missing);
 void interconnected_persidskii_law_measure(interconnected_persidskii_law_State s, Vector last, Vector row);
 void interconnected_persidskii_law_move(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, bool missing);
 double interconnected_persidskii_law_onward(interconnected_persidskii_law_Matrices m, int64_t j, Vector w, Vector inputs, Vector nonlinear);

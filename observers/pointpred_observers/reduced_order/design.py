@@ -15,7 +15,7 @@ from pointpred.errors import (
     UndecidedError,
 )
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, form, inward, outward
+from pointpred_observers.balance import Coordinates, balanced, inward, outward
 from pointpred_observers.bounds import ErrorBound
 from pointpred_observers.detectability import require_detectable, vertices
 from pointpred_observers.documents.entries import Functions, Values, finite, gap_of, matrices_of, plain
@@ -38,6 +38,7 @@ from pointpred_observers.reduced_order.reversed_connection import (
 )
 from pointpred_observers.reduced_order.upsilon import InjectionSearch, Split, allowed, split
 from pointpred_observers.rounding import NO_DIGIT, without_rounding
+from pointpred_observers.search import least_in_both, outward_all
 from pointpred_observers.simulations.persidskii import like, same
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
@@ -282,31 +283,32 @@ def _chosen(
         rates=rates[:1],
         time=plant.time,
     )
-    x, y, f, s, t = units.states, units.outputs, units.values, units.arguments, units.seconds
     base, free = choices
-    slopes = units.slopes(plant.slopes)
-    choice = InjectionSearch(
-        Split(
-            inward(parts.drift, x, x, t),
-            inward(parts.seen, y, x),
-            inward(parts.driven, x, f, t),
-            inward(parts.shown, y, f),
-            inward(parts.inner, s, x),
-            parts.outer,
-        ),
-        vertices(slopes) if sloped else {},
-        slopes,
-        plant.time,
-        inward(base, x, y, t),
-        np.linalg.qr(free / x[:, None])[0],
-        rates[1] * t,
-    )
-    upsilon, gap, proof = choice.made()
-    back = {
-        name: one if name == "alpha" else form(one, x, t if name == "W" else 1.0)
-        for name, one in proof.items()
-    }
-    return outward(upsilon, x, y, t), gap, back
+
+    def made(units: Coordinates) -> tuple[FloatArray, float, dict[str, Any]]:
+        x, y, f, s, t = units.states, units.outputs, units.values, units.arguments, units.seconds
+        slopes = units.slopes(plant.slopes)
+        choice = InjectionSearch(
+            Split(
+                inward(parts.drift, x, x, t),
+                inward(parts.seen, y, x),
+                inward(parts.driven, x, f, t),
+                inward(parts.shown, y, f),
+                inward(parts.inner, s, x),
+                parts.outer,
+            ),
+            vertices(slopes) if sloped else {},
+            slopes,
+            plant.time,
+            inward(base, x, y, t),
+            np.linalg.qr(free / x[:, None])[0],
+            rates[1] * t,
+        )
+        upsilon, gap, proof = choice.made()
+        form = np.outer(x, x)
+        return outward(upsilon, x, y, t), gap, outward_all(proof, {"P": form, "W": t * form, "alpha": 1.0})
+
+    return least_in_both(units, made)
 
 
 def _unmeasured(plant: Persidskii) -> FloatArray:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.integrate import solve_ivp
 
 from pointpred.drawing import Panel, drawing
 from pointpred.records import FloatArray
@@ -85,7 +86,14 @@ def digestion(t: FloatArray, gain: tuple[float, float], *, projected: bool) -> F
     def field(now: float, states: Any) -> Any:
         return reactor.field(float(inflow(now)), states, gain, projected=projected)
 
-    return trajectory(field, [1.0, 5.0, 0.1, 0.0, 1.0, 20.0], t, step_s=0.02)
+    start = [1.0, 5.0, 0.1, 0.0, 1.0, 20.0]
+    if projected:
+        return trajectory(field, start, t, tolerance=1e-6)
+    # In steps of 20 ms whatever their error: an accurate integrator ends where Pi z meets the pole of f1.
+    steps = solve_ivp(
+        field, (t[0], t[-1]), start, "RK45", t, first_step=0.02, max_step=0.02, rtol=1e6, atol=1e6
+    )
+    return np.ascontiguousarray(steps.y.T)
 
 
 @figure("3.4")
@@ -135,7 +143,7 @@ def figure_3_5(_: Path | None) -> Reproduction:
         for i, name in enumerate(("w1, biomass", "w2, acids"))
     ]
     at = int(np.searchsorted(t, HALF_PERIOD_S)) - 1
-    runs = {"no gain": none, "printed gain, projected": held, "printed gain, not projected": free}
+    runs = {"no gain": none, "printed gain, projected": held}
     errors = {name: float(np.linalg.norm(run[at, 2:4] - run[at, 4:])) for name, run in runs.items()}
     values = tuple(Value(f"norm of w - w^ at {HALF_PERIOD_S:g} s, {name}", e) for name, e in errors.items())
     return Reproduction(values, drawing("Figure 3.5, example 2: the observer", panels), SIMULATED)
