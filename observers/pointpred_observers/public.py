@@ -60,14 +60,13 @@ from pointpred_observers.simulations.regressions import Regression
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.simulate import simulate
 from pointpred_observers.trajectories import SeededSignal, trajectory
+from pointpred_observers.triangular.attraction import AttractionCertificate, assumption_4_4_2
 from pointpred_observers.triangular.forms import interlaced
 from pointpred_observers.triangular.interlaced_observer import (
-    AttractionCertificate,
     InterlacedCertificate,
     InterlacedEstimate,
     InterlacedObserver,
     InterlacedStage,
-    assumption_4_4_2,
     theorem_4_4_1,
 )
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
