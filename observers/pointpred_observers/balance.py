@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 
-T = TypeVar("T")
-LITTLE = 0.1
-"""The logarithm by which a bound must be smaller in the user's units than in balanced ones to be taken."""
 STEPS_MOST = 200
 MUTUAL = float(np.log(1e-2))
 """The logarithm of a product of entries there and back above which two parts are one."""
@@ -82,29 +78,6 @@ def form(matrix: Any, units: FloatArray, unit: float = 1.0) -> FloatArray:
     """
     entries: FloatArray = np.asarray(matrix, np.float64) / (units * units[:, None] * unit)
     return entries
-
-
-def least_in_both(
-    units: Coordinates, posed: Callable[[Coordinates], T], size: Callable[[T], float] | None = None
-) -> T:
-    """What ``posed`` finds in balanced units, or in the user's where that is smaller by more than a little.
-
-    ``size`` is a logarithm; without it the user's units are tried only where the balanced ones fail. Raises
-    what ``posed`` raised in balanced units where both fail.
-    """
-    found, failures = [], []
-    for one in (units, units.plain):
-        try:
-            found.append(posed(one))
-        except (InfeasibleError, UndecidedError, CertificateError) as failure:
-            failures.append(failure)
-        if size is None and found:
-            break
-    if not found:
-        raise failures[0]
-    if size is None or size(found[0]) <= size(found[-1]) + LITTLE:
-        return found[0]
-    return found[-1]
 
 
 def balanced(

@@ -11,12 +11,9 @@ from hypothesis import strategies as st
 from scipy import integrate, linalg
 
 from pointpred.errors import ParameterError, UndecidedError
-from pointpred_observers import (
-    Excitation,
-    linear_independence,
-    persistent_excitation,
-    regression_margin,
-)
+from pointpred_observers import persistent_excitation
+from pointpred_observers.regressors.excitation import Excitation
+from pointpred_observers.thesis import linear_independence, regression_margin
 
 SEEDS = st.integers(0, 2**32 - 1)
 

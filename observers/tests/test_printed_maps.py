@@ -10,14 +10,7 @@ from scipy.linalg import solve_sylvester
 
 from observers.tests.printed import check_map, check_observer
 from pointpred.errors import CertificateError, ParameterError
-from pointpred_observers import (
-    Generator,
-    Persidskii,
-    check_steady_state,
-    invariant_observer,
-    theorem_3_3_1,
-    theorem_3_3_2,
-)
+from pointpred_observers import Generator, Persidskii, invariant_observer
 from pointpred_observers.examples import (
     UNMEASURED,
     Bioreactor,
@@ -26,6 +19,7 @@ from pointpred_observers.examples import (
     interlaced_states,
     two_masses,
 )
+from pointpred_observers.thesis import check_steady_state, theorem_3_3_1, theorem_3_3_2
 
 sp = pytest.importorskip("sympy")
 W1, W2, X1 = sp.symbols("w1 w2 x1")

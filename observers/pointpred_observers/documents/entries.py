@@ -9,6 +9,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
+from pointpred_observers.matrices import matrix
 
 
 class PythonFunction(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -21,6 +22,8 @@ Rows = list[list[float] | float]
 """A matrix by its rows; a flat list is one row or one column, as everywhere in this library."""
 Entries = Rows | PythonFunction | None
 """A matrix, a function of t or of the index, or nothing for zero."""
+Values = dict[str, Rows | float]
+"""Matrices of a certificate by their names in the theorem."""
 Functions = Mapping[str, Callable[..., Any]]
 
 
@@ -87,3 +90,32 @@ def restored(name: str, value: Any, functions: Functions) -> Any:
             field=name,
         )
     return functions[name]
+
+
+def plain(values: dict[str, Any]) -> Values:
+    """Matrices as lists, numbers as they are."""
+    return {name: float(one) if np.ndim(one) == 0 else entries(one) for name, one in values.items()}
+
+
+def matrices_of(
+    values: Values,
+    shapes: dict[str, tuple[int, int]],
+    numbers: tuple[str, ...] = (),
+    *,
+    optional: tuple[str, ...] = (),
+) -> dict[str, Any]:
+    """The matrices of a certificate in their shapes; raises ParameterError for a missing or unknown one."""
+    known = (*shapes, *numbers)
+    if unknown := [name for name in values if name not in known]:
+        raise ParameterError(f"certificate: {unknown[0]} is not known, it may hold {', '.join(known)}")
+    if missing := [name for name in known if name not in values and name not in optional]:
+        raise ParameterError(f"certificate: {missing[0]} is missing, it needs {', '.join(known)}")
+    found: dict[str, Any] = {}
+    for name, one in values.items():
+        if name in numbers:
+            if not isinstance(one, float):
+                raise ParameterError(f"certificate: {name} must be a number, received a matrix")
+            found[name] = one
+        else:
+            found[name] = matrix(f"certificate: {name}", one, *shapes[name])
+    return found

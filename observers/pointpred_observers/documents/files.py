@@ -12,21 +12,11 @@ import numpy as np
 from pointpred.errors import CertificateError, ParameterError, PointpredError
 from pointpred.files import write_whole
 from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.documents.designs import (
-    InterlacedDocument,
-    ObserverDocument,
-    ReducedOrderDocument,
-    RegulatorDocument,
-    UnknownInputDocument,
-    bounds_of,
-    margins_of,
-)
 from pointpred_observers.documents.entries import Document, Functions
 from pointpred_observers.documents.plants import (
     GeneratorDocument,
     ParameterVaryingDocument,
     PlantDocument,
-    functions_of,
 )
 from pointpred_observers.documents.symbolic_plants import (
     SteadyStateDocument,
@@ -34,20 +24,20 @@ from pointpred_observers.documents.symbolic_plants import (
     SymbolicPlantDocument,
 )
 from pointpred_observers.equalities import TOLERANCE
-from pointpred_observers.interconnected.design import ObserverDesign
+from pointpred_observers.interconnected.design import DrivenDocument
 from pointpred_observers.interconnected.generator import Generator
-from pointpred_observers.interconnected.regulator import RegulatorDesign
+from pointpred_observers.interconnected.regulator import RegulatorDocument
 from pointpred_observers.linear_systems import as_plant
 from pointpred_observers.matrices import instance
+from pointpred_observers.observer import Observer
 from pointpred_observers.paths import path_of, writable
 from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.reduced_order.design import ReducedOrderDesign
-from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
-from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
+from pointpred_observers.reduced_order.design import ReducedOrderDocument
+from pointpred_observers.reduced_order.reversed_connection import InvariantDocument
+from pointpred_observers.triangular.interlaced_observer import InterlacedDocument
 from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred_observers.unknown_input.corners import CornerSystem
-from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.unknown_input.observer import UnknownInputDocument
+from pointpred_observers.unknown_input.system import CornerSystem, ParameterVaryingSystem
 
 FORMAT = "pointpred observers"
 VERSION = 1
@@ -55,22 +45,24 @@ ROW = re.compile(rb"\[\n([^\[\]{}\"]*)\]")
 """An array of numbers over several lines; each is written on one. No text in JSON holds a line break."""
 LARGEST = 1 << 26
 """Most bytes of a file."""
-KINDS: dict[type, type[Document]] = {
+PLANTS: dict[type, type[Document]] = {
     Persidskii: PlantDocument,
     Generator: GeneratorDocument,
     CornerSystem: ParameterVaryingDocument,
     SymbolicSystem: SymbolicPlantDocument,
     SymbolicGenerator: SymbolicGeneratorDocument,
     SymbolicSteadyState: SteadyStateDocument,
-    ObserverDesign: ObserverDocument,
-    ReducedOrderDesign: ReducedOrderDocument,
-    InvariantObserver: ReducedOrderDocument,
-    RegulatorDesign: RegulatorDocument,
-    UnknownInputObserver: UnknownInputDocument,
-    InterlacedObserver: InterlacedDocument,
 }
-"""What can be saved, and the document of each."""
-NAMES = {str(one.__struct_config__.tag): one for one in KINDS.values()}
+"""The document of each kind of plant; an observer has its own."""
+DESIGNS: tuple[type[Document], ...] = (
+    DrivenDocument,
+    InvariantDocument,
+    ReducedOrderDocument,
+    RegulatorDocument,
+    UnknownInputDocument,
+    InterlacedDocument,
+)
+NAMES = {str(one.__struct_config__.tag): one for one in (*PLANTS.values(), *DESIGNS)}
 """The documents by the ``kind`` in the file."""
 
 
@@ -78,8 +70,7 @@ def save(thing: Any, file: Path | str) -> Path:
     """Write a plant or a design to a JSON file, which takes its place only when it is whole.
 
     ``thing``: a Persidskii plant or a linear one, a Generator, a CornerSystem, a symbolic plant, generator or
-    steady state, or a design: ObserverDesign, ReducedOrderDesign, InvariantObserver, RegulatorDesign,
-    UnknownInputObserver, InterlacedObserver. Numbers keep every bit. Python functions (an f without a name,
+    steady state, or an observer. Numbers keep every bit. Python functions (an f without a name,
     matrices that vary) are named in the file and passed again to ``load``.
 
     Raises ParameterError for anything else, for a system whose matrices are not affine in each variable, and
@@ -112,11 +103,11 @@ def load(file: Path | str, *, functions: Functions | None = None) -> Any:
     inequality that fails; InfeasibleError for an equality that does not hold; OSError.
 
     >>> from tempfile import TemporaryDirectory
-    >>> from pointpred_observers import Persidskii, design_full_order
-    >>> design = design_full_order(Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0]))
+    >>> from pointpred_observers import Persidskii, design
+    >>> cart = design(Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0]), "full")
     >>> with TemporaryDirectory() as folder:
-    ...     again = load(save(design, f"{folder}/cart.json"))
-    >>> bool((again.gain == design.gain).all()), again.bound == design.bound
+    ...     again = load(save(cart, f"{folder}/cart.json"))
+    >>> bool((again.gain == cart.gain).all()), again.bound == cart.bound
     (True, True)
     """
     path = path_of(file)
@@ -145,56 +136,48 @@ def decoded(text: bytes | str, *, functions: Functions | None = None, name: str 
         raise ParameterError(f"{name}: its numbers are too large or too small to compute with") from failure
 
 
-def audit(design: Any) -> dict[str, float]:
+def audit(observer: Observer) -> dict[str, float]:
     """Every inequality and equality of a design checked again: how far each inequality holds.
 
     Margins are computed from the matrices, and so is the bound, which may not exceed what the design claims;
     its ``gap`` is not checked. Raises CertificateError naming the inequality that fails, or the bound that
-    the matrices do not prove; InfeasibleError for an equality, ParameterError for what is no design.
+    the matrices do not prove; InfeasibleError for an equality, ParameterError for what has no certificate.
 
-    >>> from pointpred_observers import Persidskii, design_full_order
-    >>> design = design_full_order(Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0]))
-    >>> audit(design) == design.margins
+    >>> from pointpred_observers import Persidskii, design
+    >>> cart = design(Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0]), "full")
+    >>> audit(cart) == cart.margins
     True
     """
-    if not isinstance(design, tuple(KINDS)):
+    if not isinstance(observer, Observer) or not observer.margins:
         raise ParameterError(
-            f"an audit needs a design with a certificate, received {type(design).__name__}", field="design"
+            f"an audit needs a design with a certificate, received {type(observer).__name__}",
+            field="observer",
         )
-    functions = functions_of(getattr(design, "observer", design)) | functions_of(design)
     try:
         with np.errstate(all="ignore"):  # what overflows is not finite, and refused
-            if isinstance(design, UnknownInputObserver):
-                # A system of functions need not have matrices at the corners, which a document needs.
-                margins = margins_of(design.audited())
-            else:
-                again = _document(design).made(functions)
-                margins = margins_of(again)
-                _require_bounds(bounds_of(design), bounds_of(again))
+            again = observer.audited()
     except (np.linalg.LinAlgError, OverflowError) as failure:
         raise CertificateError("the design's numbers are too large or too small to compute with") from failure
-    if not margins:
-        raise ParameterError(
-            f"an audit needs a design with a certificate, received {type(design).__name__}", field="design"
-        )
-    return margins
+    for one, other in zip(observer.bounds.values(), again.bounds.values(), strict=True):
+        _require_bound(one, other)
+    return again.margins
 
 
-def _require_bounds(claimed: list[ErrorBound], proved: list[ErrorBound]) -> None:
+def _require_bound(claimed: ErrorBound, proved: ErrorBound) -> None:
     """Raise CertificateError where a claimed bound is smaller than the one that is proved."""
-    for one, other in zip(claimed, proved, strict=True):
-        sizes = one.overshoot, 1.0 / one.rate, one.rest, *one.gains
-        least = other.overshoot, 1.0 / other.rate, other.rest, *other.gains
-        if len(sizes) != len(least) or not all(
-            size >= proof * (1.0 - TOLERANCE) for size, proof in zip(sizes, least, strict=True)
-        ):
-            raise CertificateError(
-                f"the design carries the bound {one}, its matrices prove {other}", field="bound"
-            )
+    sizes, least = ((one.overshoot, 1.0 / one.decay, one.rest, *one.gains) for one in (claimed, proved))
+    if len(sizes) != len(least) or not all(
+        size >= proof * (1.0 - TOLERANCE) for size, proof in zip(sizes, least, strict=True)
+    ):
+        raise CertificateError(
+            f"the design carries the bound {claimed}, its matrices prove {proved}", field="bound"
+        )
 
 
 def _document(thing: Any) -> Document:
-    for kind, document in KINDS.items():
+    if isinstance(thing, Observer):
+        return thing.document()
+    for kind, document in PLANTS.items():
         if isinstance(thing, kind):
             return document.of(thing)
     if isinstance(thing, ParameterVaryingSystem):
@@ -206,9 +189,9 @@ def _document(thing: Any) -> Document:
     try:
         return PlantDocument.of(as_plant(thing))
     except ParameterError as unknown:
-        names = ", ".join(one.__name__ for one in KINDS)
+        names = ", ".join(one.__name__ for one in PLANTS)
         raise ParameterError(
-            f"can save {names} and linear systems, received {type(thing).__name__}",
+            f"can save observers, {names} and linear systems, received {type(thing).__name__}",
             field="thing",
             value=thing,
         ) from unknown

@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 from functools import partial
-from math import exp, expm1, sqrt
+from math import exp
 from typing import Any
 
 import msgspec
 import numpy as np
 
-from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, form, inward, least_in_both
-from pointpred_observers.bounds import ErrorBound, eigenvalues
+from pointpred_observers.balance import Coordinates, balanced
+from pointpred_observers.bounds import ErrorBound, proved_bound
 from pointpred_observers.error_systems.system import ErrorSystem
-from pointpred_observers.inequalities.audit import answer_of_a_search
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.matrices import instance, positive
-
-SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3)
-"""Fractions of the slowest corner's decay that are tried where none is required."""
+from pointpred_observers.search import Posed, at_decay, search
 
 
 class DecayCertificate(msgspec.Struct, frozen=True):
@@ -91,7 +88,7 @@ def certify_decay(
     ...     -2 * np.eye(1), np.eye(1), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 1.0),), time="continuous"
     ... )
     >>> found = certify_decay(system, decay=0.5)
-    >>> round(found.bound.rate, 6), found.bound(0.0, 0.0, d=1.0) < 1.5, min(found.margins.values()) > 0.0
+    >>> round(found.bound.decay, 6), found.bound(0.0, 0.0, d=1.0) < 1.5, min(found.margins.values()) > 0.0
     (0.5, True, True)
     """
     if decay is not None:
@@ -100,47 +97,32 @@ def certify_decay(
         raise ParameterError(f"domain must lie above 0, received {domain!r}", field="domain", value=domain)
     slowest = instance("system", system, ErrorSystem).slowest()
     system = msgspec.structs.replace(system, domain=min(float(domain), system.domain))
-    rates = [-share * slowest for share in SHARES] if decay is None else [decay]
-    for rate in rates:
-        try:
-            return _certified(system, rate)
-        except (InfeasibleError, UndecidedError) as failure:
-            if rate == rates[-1]:
-                unit = "1/step" if system.time == "discrete" else "1/s"
-                raise type(failure)(f"{failure}; with decay = {rate:g} {unit}") from failure
-    raise AssertionError
+    units = partial(balanced, system.A, driven=system.B, time=system.time)
+
+    def certified(rate: float) -> DecayCertificate:
+        return search(
+            units(rates=(rate,)),
+            partial(_posed, system, rate),
+            lambda values, _: certified_decay(system, values, rate),
+            lambda one: float(sum(np.log([one.bound.overshoot, *filter(None, one.bound.gains)]))),
+        )
+
+    return at_decay(decay, slowest, system.time, certified)
 
 
-def _certified(system: ErrorSystem, decay: float) -> DecayCertificate:
-    """The certificate of the smaller bound, from a problem in balanced units and from one in the user's."""
-    units = balanced(system.A, driven=system.B, rates=(decay,), time=system.time)
-
-    def size(one: DecayCertificate) -> float:
-        return float(sum(np.log([one.bound.overshoot, *filter(None, one.bound.gains)])))
-
-    return least_in_both(units, partial(_posed, system, decay), size)
-
-
-def _posed(system: ErrorSystem, decay: float, units: Coordinates) -> DecayCertificate:
-    """The certificate in the user's units, from a problem in these."""
-    x, t = units.states, units.seconds
-    one = np.ones(system.B.shape[2])
-    a = np.array([inward(each, x, x, t) for each in system.A])
-    b = np.array([inward(each, x, one, t) for each in system.B])
-    sizes = [float(np.abs(b[:, :, one]).max(initial=0.0)) or 1.0 for one in system.places().values()]
-    b = b / np.repeat(sizes, list(system.disturbances.values()))
-    inner = msgspec.structs.replace(system, A=a, B=b)
+def _posed(system: ErrorSystem, decay: float, units: Coordinates) -> Posed:
+    """The least P and the least gains in these units, each disturbance in one of its own."""
+    inner, x, t = system.inward(units), units.states, units.seconds
+    sizes = [float(np.abs(inner.B[:, :, one]).max(initial=0.0)) or 1.0 for one in system.places().values()]
+    inner = msgspec.structs.replace(inner, B=inner.B / np.repeat(sizes, list(system.disturbances.values())))
     problem = decay_inequalities(inner, decay * t).number("size")
     problem.above("size - P", lambda v: v.size * np.eye(system.n) - v.P, strict=False)
-    count = len(sizes)
-    found = problem.solve(
-        minimise=lambda v: v.size + sum(getattr(v, f"bound_{i}") for i in range(count))
-    ).values
-    values = {"P": form(found["P"], x)}
-    for i, size in enumerate(sizes):
-        values[f"bound_{i}"] = found[f"bound_{i}"] * size**2 / t
-    with answer_of_a_search():
-        return certified_decay(system, values, decay)
+    gains = {f"bound_{i}": t / size**2 for i, size in enumerate(sizes)}
+    return Posed(
+        problem,
+        {"P": np.outer(x, x), **gains},
+        lambda v: v.size + sum(getattr(v, name) for name in gains),
+    )
 
 
 def certified_decay(system: ErrorSystem, values: dict[str, Any], decay: float) -> DecayCertificate:
@@ -151,8 +133,6 @@ def certified_decay(system: ErrorSystem, values: dict[str, Any], decay: float) -
     """
     decay = positive("decay", decay)
     margins = decay_inequalities(system, decay).check(values)
-    p = eigenvalues("P", values["P"])
-    loss = -expm1(-2.0 * decay) if system.time == "discrete" else 2.0 * decay
-    gains = tuple(sqrt(values[f"bound_{i}"] / (loss * p[0])) for i in range(len(system.disturbances)))
-    bound = ErrorBound(sqrt(p[-1] / p[0]), decay, gains, tuple(system.disturbances))
+    drives = {name: values[f"bound_{i}"] for i, name in enumerate(system.disturbances)}
+    bound = proved_bound(values["P"], decay, drives, system.time)
     return DecayCertificate(values["P"], values, margins, bound, system, system.domain)

@@ -10,12 +10,12 @@ import msgspec
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, form, inward, least_in_both
+from pointpred_observers.balance import Coordinates, balanced
 from pointpred_observers.error_systems.h_infinity import h_infinity
 from pointpred_observers.error_systems.system import ErrorSystem
-from pointpred_observers.inequalities.audit import answer_of_a_search
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.matrices import instance
+from pointpred_observers.search import Posed, search
 
 ROOM = 1e-6
 """Relative room that is added to the least gain, with which the inequality would hold with equality."""
@@ -96,30 +96,20 @@ def l2_gain(system: ErrorSystem) -> L2Gain:
     if lower == 0.0:
         none = np.zeros((system.n, system.n))
         return L2Gain(0.0, 0.0, 0.0, system.names[worst], none, {}, system.domain)
+
+    def posed(units: Coordinates) -> Posed:
+        inner, x, t = system.inward(units), units.states, units.seconds
+        size = float(np.abs(inner.B).max())
+        # V' is V's change in 1/s, delta is divided by ``size`` and z by size / lower.
+        inner = msgspec.structs.replace(inner, B=inner.B / size, C=inner.C * size / lower)
+        measured = {"P": np.outer(x, x) * (size / lower) ** 2 / t, "square": 1.0}
+        return Posed(gain_inequalities(inner), measured, lambda v: v.square)
+
+    def audited(values: dict[str, Any], _: float) -> L2Gain:
+        upper = (1.0 + ROOM) * lower * sqrt(values["square"])
+        margins = gain_inequalities(system, upper).check({"P": values["P"]})
+        corner = system.names[worst]
+        return L2Gain(lower, upper, frequency, corner, values["P"], margins, system.domain)
+
     units = balanced(system.A, seen=system.C, driven=system.B, time=system.time)
-    return least_in_both(
-        units,
-        partial(_posed, system, (lower, frequency, system.names[worst])),
-        lambda found: float(np.log(found.upper)),
-    )
-
-
-def _posed(system: ErrorSystem, least: tuple[float, float, str], units: Coordinates) -> L2Gain:
-    """The gain from a problem in these units; ``least`` are what is known from below."""
-    (lower, frequency, corner), x, t = least, units.states, units.seconds
-    plain = np.ones(system.B.shape[2])
-    b = np.array([inward(one, x, plain, t) for one in system.B])
-    size = float(np.abs(b).max())
-    inner = msgspec.structs.replace(
-        system,
-        A=np.array([inward(one, x, x, t) for one in system.A]),
-        B=b / size,
-        C=inward(system.C, np.ones(len(system.C)), x) * size / lower,
-    )
-    found = gain_inequalities(inner).solve(minimise=lambda v: v.square).values
-    upper = (1.0 + ROOM) * lower * sqrt(found["square"])
-    # In the user's units V' is V's change in 1/s, delta is divided by ``size`` and z by size / lower.
-    p = form(found["P"], x) * (lower / size) ** 2 * t
-    with answer_of_a_search():
-        margins = gain_inequalities(system, upper).check({"P": p})
-    return L2Gain(lower, upper, frequency, corner, p, margins, system.domain)
+    return search(units, posed, audited, lambda found: float(np.log(found.upper)))

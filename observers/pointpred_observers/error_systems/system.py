@@ -13,6 +13,7 @@ import numpy as np
 from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
+from pointpred_observers.balance import Coordinates
 from pointpred_observers.detectability import vertices
 from pointpred_observers.eigenvalues import require_decay
 from pointpred_observers.matrices import TIMES, dimensions, instance, listed, matrix, one_of, positive
@@ -89,6 +90,12 @@ class ErrorSystem(msgspec.Struct, frozen=True):
         columns = np.concatenate([np.arange(self.B.shape[2])[places[name]] for name in names])
         widths = {name: self.disturbances[name] for name in names}
         return msgspec.structs.replace(self, B=self.B[:, :, columns], disturbances=widths)
+
+    def inward(self, units: Coordinates) -> ErrorSystem:
+        """The same system with its states and time in these units."""
+        x, t = units.states, units.seconds
+        a, b = t * self.A * x / x[:, None], t * self.B / x[:, None]
+        return msgspec.structs.replace(self, A=a, B=b, C=self.C * x)
 
     def slowest(self) -> float:
         """The largest real part of an eigenvalue, 1/s (logarithm of its modulus, 1/step), at any corner.

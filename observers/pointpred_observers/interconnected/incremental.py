@@ -67,7 +67,7 @@ def assumption_3_2_2(
     >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii([[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], "tanh", [0.0, 1.0])
     >>> found = assumption_3_2_2(plant, decay=0.8)
-    >>> round(found.bound.rate, 6), min(found.margins.values()) > 0.0
+    >>> round(found.bound.decay, 6), min(found.margins.values()) > 0.0
     (0.8, True)
     >>> assumption_3_2_2(Persidskii([[0.0, 1.0], [-1.0, 0.0]], None, None, "sin"))
     Traceback (most recent call last):

@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, form, inward
+from pointpred_observers.balance import Coordinates, balanced, inward
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.interconnected.generator import Fitted
 from pointpred_observers.interconnected.growing_mode import (
@@ -21,6 +21,7 @@ from pointpred_observers.interconnected.growing_mode import (
 )
 from pointpred_observers.interconnected.sector import SectorBounds
 from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.search import Units
 
 
 class Regulated(msgspec.Struct, frozen=True):
@@ -94,15 +95,10 @@ class Regulated(msgspec.Struct, frozen=True):
             inward(self.s, x, x, t), inward(self.tilde, x, f, t), inward(self.j, units.arguments, x)
         )
 
-    def outward(self, values: dict[str, Any], units: Coordinates) -> dict[str, Any]:
-        """Matrices of the balanced inequalities in the user's units."""
-        x, t = units.states, units.seconds
-        return {
-            "P": form(values["P"], x),
-            "Gamma": form(values["Gamma"], x, 1.0 / t),
-            "Xi": form(values["Xi"], x, t),
-            **{name: values[name] / unit for name, unit in (("Omega", t), ("Lambda", 1.0)) if name in values},
-        }
+    def measured(self, units: Coordinates) -> Units:
+        """The units of the matrices."""
+        form, t = np.outer(units.states, units.states), units.seconds
+        return {"P": form, "Gamma": form / t, "Xi": t * form, "Omega": t, "Lambda": 1.0}
 
 
 class Followed(msgspec.Struct, frozen=True):
@@ -201,14 +197,11 @@ class Followed(msgspec.Struct, frozen=True):
             sector,
         )
 
-    def outward(self, values: dict[str, Any], units: Coordinates) -> dict[str, Any]:
-        """Matrices of the balanced inequalities in the user's units."""
-        x, t = units.states, units.seconds
-        forms = {"P": form(values["P"], x), "Gamma": form(values["Gamma"], x, 1.0 / t)}
-        names = ("gamma1", "gamma2", "Omega1", "Omega2", "Upsilon")
-        rates = {name: values[name] / t for name in names if name in values}
-        lift = {name: values[name] for name in ("Lambda",) if name in values}
-        return {**forms, "Xi": form(values["Xi"], x, t), **lift, **rates}
+    def measured(self, units: Coordinates) -> Units:
+        """The units of the matrices."""
+        form, t = np.outer(units.states, units.states), units.seconds
+        rates = dict.fromkeys(("gamma1", "gamma2", "Omega1", "Omega2", "Upsilon"), t)
+        return {"P": form, "Gamma": form / t, "Xi": t * form, "Lambda": 1.0, **rates}
 
 
 def _agree(f: ComplexArray, other: ComplexArray, error: FloatArray) -> bool:

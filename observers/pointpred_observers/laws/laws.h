@@ -121,7 +121,7 @@ typedef struct {
 } camera_depth_State;
 typedef struct {
   double focal_px;
-  double half_sigma;
+  double decay;
   double start_chi;
   double start_eta;
   double gap_s;
@@ -256,9 +256,8 @@ int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memo
 double interconnected_persidskii_law_along(double total, Vector row, Vector vector);
 double interconnected_persidskii_law_along_both(double total, Vector row, Vector one, Vector other);
 void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector to);
-void interconnected_persidskii_law_bridge(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h);
 int64_t interconnected_persidskii_law_floats(int64_t q, int64_t k, int64_t inputs);
-void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double begin, double h);
+void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h, bool missing);
 void interconnected_persidskii_law_measure(interconnected_persidskii_law_State s, Vector last, Vector row);
 void interconnected_persidskii_law_move(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, bool missing);
 double interconnected_persidskii_law_onward(interconnected_persidskii_law_Matrices m, int64_t j, Vector w, Vector inputs, Vector nonlinear);
@@ -284,6 +283,9 @@ double regressors_gradient_steepness(Table d, Table gain);
 int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out);
 bool regressors_gradient_usable(regressors_gradient_Memory * memory, Vector row);
 static inline void stage_learn_nothing(Vector memory);
+void unknown_input_stage_estimated(Vector block, Table ends, double s, Table space);
+bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block);
+void unknown_input_stage_push(Vector block, Table c, Table ends, double s, int64_t part, double h, Table space);
 static const int64_t nonlinearity_ATAN = 3;
 static const int64_t nonlinearity_CUBE = 5;
 static const int64_t nonlinearity_SATURATION = 4;

@@ -10,15 +10,10 @@ from pointpred.drawing import Look, drawing
 from pointpred.errors import RecordingError
 from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value, matrix_values
-from pointpred_observers import (
-    InvariantObserver,
-    NonlinearRegressor,
-    RecursiveLeastSquares,
-    design_reduced_order,
-    invariant_observer,
-    trajectory,
-)
+from pointpred_observers import NonlinearRegressor, RecursiveLeastSquares, invariant_observer, trajectory
 from pointpred_observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors, vapours
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
 from pointpred_observers.reproduction.figures import figure, panel, panels
 
 SNIFFER = "sniffer.csv"
@@ -53,7 +48,7 @@ def figure_3_8(_: Path | None) -> Reproduction:
         "printed Upsilon": (printed, "second"),
         "diag(-1, 1), global": (invariant_observer(plant, UNMEASURED, [[-1.0, 0.0], [0.0, 1.0]]), "third"),
         "designed, y within f": (
-            design_reduced_order(plant, UNMEASURED, decay=0.5, injection=True).observer,
+            ReducedOrderObserver.design(plant, Pi=UNMEASURED, decay=0.5, injection=True).observer,
             "first",
         ),
     }

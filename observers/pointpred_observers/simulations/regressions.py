@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred.regression import RecursiveLeastSquares
-from pointpred_observers.matrices import instance, matrix
+from pointpred_observers.matrices import matrix
 from pointpred_observers.nonlinearity import Nonlinearity, nonlinearity
 from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
 from pointpred_observers.simulations.result import Simulation
@@ -40,53 +40,52 @@ class Regression(msgspec.Struct, frozen=True):
         theta = matrix("parameters", given, 1)[0]
         return theta, matrix("regressor", self.regressor(t), None, len(theta))
 
-
-def gradient(stage: GradientRegressor, plant: Any, setting: Setting) -> Simulation:
-    """A gradient regressor."""
-    return _estimated(stage, plant, setting, lambda one, t, d, y: one.update(d, y, t), "gradient regressor")
-
-
-def least_squares(stage: RecursiveLeastSquares, plant: Any, setting: Setting) -> Simulation:
-    """Recursive least squares; there is no estimate before the constants are determined."""
-
-    def update(one: RecursiveLeastSquares, t: float, d: FloatArray, y: FloatArray) -> Any:
-        one.update(d[0], float(y[0]), t)
-        values = one.fit().values
-        return np.nan if values is None else values
-
-    return _estimated(stage, plant, setting, update, "recursive least squares")
-
-
-def nonlinear(stage: NonlinearRegressor, plant: Any, setting: Setting) -> Simulation:
-    """A nonlinear regressor, whose sensor saturates with the plant's weight."""
-    weight = instance("plant", plant, Regression).weight
-    if weight is None:
-        raise ParameterError(
-            "a NonlinearRegressor needs the plant's weight D1, a function of t", field="plant"
+    def simulated(self, regressor: Any, setting: Setting) -> Simulation:
+        """The parameters beside those that a regressor estimates; see ``simulate``."""
+        setting.refuse(
+            "a regression", "start", "estimate", "input", "disturbance", "unknown_input", "schedule"
+        )
+        title = TITLES.get(type(regressor))
+        if title is None:
+            raise ParameterError(
+                f"a Regression needs one of {', '.join(one.__name__ for one in TITLES)}, received "
+                f"{type(regressor).__name__}",
+                field="observer",
+            )
+        running, weight = regressor.fresh(), self.weight
+        if isinstance(regressor, NonlinearRegressor) and weight is None:
+            raise ParameterError(
+                "a NonlinearRegressor needs the plant's weight D1, a function of t", field="plant"
+            )
+        times = setting.samples(discrete=False)
+        pairs = [self.at(float(t)) for t in times]
+        theta, rows = np.array([one for one, _ in pairs]), [d for _, d in pairs]
+        exact = np.array([d @ one for one, d in pairs])
+        weights = np.zeros(len(times))
+        if weight is not None:
+            f: Nonlinearity = nonlinearity(self.f, exact.shape[1])
+            weights = np.array([float(weight(float(t))) for t in times])
+            bent = np.array([f(one) for one in exact])
+            exact = (1.0 - weights[:, None]) * exact + weights[:, None] * bent
+        outputs, estimate = setting.measured(exact), np.full_like(theta, np.nan)
+        for i, t in enumerate(times.tolist()):
+            if isinstance(running, NonlinearRegressor):
+                estimate[i] = running.update(rows[i], weights[i], outputs[i], t)
+            elif isinstance(running, GradientRegressor):
+                estimate[i] = running.update(rows[i], outputs[i], t)
+            else:
+                running.update(rows[i][0], float(outputs[i][0]), t)
+                values = running.fit().values
+                estimate[i] = np.nan if values is None else values  # None before they are determined
+        none = np.zeros((len(times), 0))
+        names = tuple(f"theta{i + 1}" for i in range(theta.shape[1]))
+        return Simulation(
+            times, theta, estimate, outputs, none, names, title, False, none, none, none, none, np.zeros(0)
         )
 
-    def update(one: NonlinearRegressor, t: float, d: FloatArray, y: FloatArray) -> Any:
-        return one.update(d, float(weight(t)), y, t)
 
-    return _estimated(stage, plant, setting, update, "nonlinear regressor")
-
-
-def _estimated(stage: Any, plant: Any, setting: Setting, update: Any, title: str) -> Simulation:
-    setting.refuse("a regression", "start", "estimate", "input", "disturbance", "unknown_input", "schedule")
-    model, times = instance("plant", plant, Regression), setting.samples(discrete=False)
-    pairs = [model.at(float(t)) for t in times]
-    theta, rows = np.array([one for one, _ in pairs]), [d for _, d in pairs]
-    exact = np.array([d @ one for one, d in pairs])
-    if model.weight is not None:
-        f: Nonlinearity = nonlinearity(model.f, exact.shape[1])
-        weights = np.array([float(model.weight(float(t))) for t in times])[:, None]
-        exact = (1.0 - weights) * exact + weights * np.array([f(one) for one in exact])
-    outputs, running = setting.measured(exact), stage.fresh()
-    estimate = np.full_like(theta, np.nan)
-    for i, t in enumerate(times.tolist()):
-        estimate[i] = update(running, t, rows[i], outputs[i])
-    none = np.zeros((len(times), 0))
-    names = tuple(f"theta{i + 1}" for i in range(theta.shape[1]))
-    return Simulation(
-        times, theta, estimate, outputs, none, names, title, False, none, none, none, none, np.zeros(0)
-    )
+TITLES: dict[type, str] = {
+    GradientRegressor: "gradient regressor",
+    NonlinearRegressor: "nonlinear regressor",
+    RecursiveLeastSquares: "recursive least squares",
+}

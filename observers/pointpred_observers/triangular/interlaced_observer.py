@@ -20,6 +20,17 @@ from pointpred.regression.least_squares import moment
 from pointpred_observers.balance import balanced, form, inward, outward
 from pointpred_observers.bounds import ErrorBound, eigenvalues, least_ratio
 from pointpred_observers.detectability import require_detectable
+from pointpred_observers.documents.entries import (
+    Document,
+    Functions,
+    Values,
+    finite,
+    gap_of,
+    matrices_of,
+    plain,
+)
+from pointpred_observers.documents.expressions import parsed
+from pointpred_observers.documents.symbolic_plants import SteadyStateDocument
 from pointpred_observers.eigenvalues import perron_root
 from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.inequalities.audit import answer_of_a_search
@@ -27,14 +38,20 @@ from pointpred_observers.inequalities.definite import solved
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
-from pointpred_observers.interconnected.persidskii_observer import PersidskiiObserver
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.matrices import instance, matrix, positive
+from pointpred_observers.observer import Observer
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting, Signal, run
 from pointpred_observers.stationary import filter_start
+from pointpred_observers.triangular.forms import interlaced
 from pointpred_observers.triangular.polynomials import symbolic
-from pointpred_observers.triangular.system import SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 SMALL = 1e-3
 """Weight of the size of U, which decides among gains with the same traces."""
+DEGREE = 3
+"""Of the power series of the steady state."""
 STEP = 0.01
 """A step of the integration, of the fastest time constant: it errs by 1e-12 of w."""
 
@@ -173,7 +190,7 @@ class InterlacedEstimate(msgspec.Struct, frozen=True):
     input: float
 
 
-class InterlacedObserver(msgspec.Struct, frozen=True):
+class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
     """The design of an observer that estimates a plant's state from that of the generator which drives it.
 
     Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an
@@ -191,7 +208,7 @@ class InterlacedObserver(msgspec.Struct, frozen=True):
     >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
     >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), 1, w1, degree=2)
-    >>> stage = InterlacedObserver.design(steady).stage()
+    >>> stage = InterlacedObserver.design(steady, decay=0.5).stage()
     >>> for i in range(4000):
     ...     estimate = stage.update(np.cos(0.01 * i), 0.01 * i)
     >>> true = steady.function()((np.cos(39.99), -np.sin(39.99)))
@@ -208,19 +225,35 @@ class InterlacedObserver(msgspec.Struct, frozen=True):
     @classmethod
     def design(
         cls,
-        steady: SymbolicSteadyState,
+        plant: SymbolicSystem | SymbolicSteadyState,
         *,
-        decay: float = 0.5,
+        generator: SymbolicGenerator | None = None,
+        first: Any = None,
+        upper: int = 0,
+        degree: int | None = DEGREE,
+        decay: float = 1.0,
         gain: ArrayLike | None = None,
         start: ArrayLike | None = None,
         gap_s: float | None = None,
     ) -> Self:
-        """Compute or certify a gain; see ``certify``."""
+        """The observer of a plant that comes to a steady state under a generator, with its certificate.
+
+        Parameters: ``plant``, or its steady state from ``interlaced``, which needs none of the next four;
+        ``generator`` that drives it; ``first`` the steady state of the first lower row, an expression or its
+        text, such as "w1"; ``upper`` rows of the upper part; ``degree`` of their power series; ``gain`` (q,
+        p) to certify instead of computing one; ``start`` of w, default zeros; ``gap_s``: over a longer
+        interval between two samples the generator runs alone. See ``certify`` for what is raised.
+        """
+        if isinstance(plant, SymbolicSystem):
+            moved = instance("generator", generator, SymbolicGenerator)
+            steady = interlaced(plant, moved, upper, _first(first, moved), degree=degree)
+        else:
+            steady = instance("plant", plant, SymbolicSteadyState)
         output = output_matrix(steady)
         certificate = certify(steady.generator.matrix(), output, decay=decay, gain=gain)
         q = len(certificate.L)
-        first = np.zeros(q) if start is None else matrix("start", start, q, 1).ravel()
-        return cls(steady, certificate, first, gap_s)
+        begin = np.zeros(q) if start is None else matrix("start", start, q, 1).ravel()
+        return cls(steady, certificate, begin, gap_s)
 
     @property
     def plant(self) -> SymbolicSystem:
@@ -238,9 +271,14 @@ class InterlacedObserver(msgspec.Struct, frozen=True):
         return {"error": self.certificate.bound}
 
     @property
-    def bound(self) -> ErrorBound:
-        """The same."""
-        return self.certificate.bound
+    def lyapunov(self) -> dict[str, FloatArray]:
+        """The P of Theorem 4.4.1."""
+        return {"": self.certificate.P}
+
+    @property
+    def chosen(self) -> dict[str, FloatArray]:
+        """The gain."""
+        return {"L": np.asarray(self.certificate.L)}
 
     @property
     def gap(self) -> float:
@@ -253,11 +291,91 @@ class InterlacedObserver(msgspec.Struct, frozen=True):
         a = self.steady.generator.matrix() - gain @ output_matrix(self.steady)
         return ErrorSystem(a[None], -gain[None], np.eye(len(a)), ("",), {"v": gain.shape[1]}, "continuous")
 
-    def stage(self, start: ArrayLike | None = None, gap_s: float | None = None) -> InterlacedStage:
+    def stage(self, *, start: Any = None, gap_s: float | None = None) -> InterlacedStage:
         """The observer as a stage on samples, with another ``start`` or ``gap_s``."""
         return InterlacedStage(
             self, self.start if start is None else start, self.gap_s if gap_s is None else gap_s
         )
+
+    def simulated(self, plant: Any, setting: Setting) -> Simulation:
+        """The plant from a start of its own, under the input l(w) of the steady state."""
+        setting.refuse("a symbolic plant", "unknown_input", "schedule", "input")
+        system, steady = instance("plant", plant, SymbolicSystem), self.steady
+        if system.parameters():
+            raise ParameterError(
+                f"parameters without value: {sorted(map(str, system.parameters()))}", field="plant"
+            )
+        sizes = [(len(one.states), len(one.zero), len(one.outputs)) for one in (system, steady.system)]
+        if sizes[0] != sizes[1]:
+            raise ParameterError(
+                f"the observer was designed for {sizes[1][0]} states, {sizes[1][1]} of zero dynamics and "
+                f"{sizes[1][2]} outputs, received a plant of {sizes[0][0]}, {sizes[0][1]} and {sizes[0][2]}",
+                field="plant",
+            )
+        times, q = setting.samples(discrete=False), len(steady.generator.states)
+        n = sizes[0][0] + sizes[0][1]
+        field = driven_field(steady, system, setting.signal("disturbance", n))
+        both = run(field, setting.begin(q + n), times, discrete=False)
+        driving, state = both[:, :q], both[:, q:]
+        outputs = setting.measured(outputs_of(system, state))
+        stage = self.stage(start=setting.begin(q, "estimate", 0.0))
+        table = np.column_stack([times, outputs])
+        answers = stage.walk(np.zeros(len(table), np.bool_), table)
+        none = np.zeros((len(times), 0))
+        names = tuple(str(one) for one in (*system.states, *system.zero))
+        pushed = steady.function()(driving.T)[-1][:, None]
+        return Simulation(
+            times, state, answers[:, q:-1], outputs, pushed, names, "interlaced observer", False, none, none,
+            driving, answers[:, :q], np.zeros(0),
+        )  # fmt: skip
+
+    def document(self) -> InterlacedDocument:
+        """The steady state, and the matrices of the theorem; a stage's memory of samples is not kept."""
+        proof = self.certificate
+        return InterlacedDocument(
+            steady=SteadyStateDocument.of(self.steady),
+            certificate=plain({name: getattr(proof, name) for name in ("P", "Q", "Gamma", "U")}),
+            gap=finite(proof.gap),
+            start=self.start.tolist(),
+            gap_s=self.gap_s,
+        )
+
+
+class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
+    """An ``InterlacedObserver``."""
+
+    steady: SteadyStateDocument
+    certificate: Values
+    start: list[float]
+    gap_s: float | None = None
+    gap: float | None = None
+
+    def made(self, functions: Functions) -> InterlacedObserver:
+        """The observer: the equations of its maps and its inequalities audited."""
+        steady = self.steady.made(functions)
+        a, c = steady.generator.matrix(), output_matrix(steady)
+        q, p = len(a), len(c)
+        values = matrices_of(self.certificate, {"P": (q, q), "Q": (q, q), "Gamma": (p, p), "U": (q, p)})
+        proof = InterlacedCertificate.audited(a, c, values, gap_of(self.gap))
+        return InterlacedObserver(steady, proof, matrix("start", self.start, q, 1).ravel(), self.gap_s)
+
+
+def _first(given: Any, generator: SymbolicGenerator) -> Any:
+    """The steady state of the first lower row; raises ParameterError for another symbol than those of w."""
+    if given is None:
+        raise ParameterError(
+            "an interlaced observer needs first, the steady state of the first lower row, such as w1",
+            field="first",
+        )
+    first = parsed(given, "first") if isinstance(given, str) else given
+    foreign = sorted(map(str, getattr(first, "free_symbols", set()) - set(generator.states)))
+    if foreign:
+        raise ParameterError(
+            f"first may hold the generator's states {', '.join(map(str, generator.states))}, received "
+            f"{given!r} with {', '.join(foreign)}",
+            field="first",
+        )
+    return first
 
 
 class InterlacedStage:
@@ -281,7 +399,7 @@ class InterlacedStage:
         self._bridged = STEPS_MOST * step_s
         self._gap = np.inf if gap_s is None else min(positive("gap_s", gap_s), self._bridged)
         self.observer = observer
-        self._generator = PersidskiiObserver(
+        self._generator = PersidskiiStage(
             closed,
             None,
             None,
@@ -384,3 +502,29 @@ def _numerical(steady: SymbolicSteadyState) -> tuple[Callable[..., Any], Callabl
         ) from unusable
     modules = ["math", "scipy", "numpy"]
     return symbolic().lambdify(steady.generator.states, wanted, modules=modules, cse=True), whole
+
+
+def driven_field(
+    steady: SymbolicSteadyState, system: SymbolicSystem, disturbance: Signal
+) -> Callable[[float, Any], FloatArray]:
+    """Generator and plant together, states (w, x, z), under the input of the steady state."""
+    sp, w = symbolic(), steady.generator.states
+    drive = sp.lambdify(w, steady.generator.field, modules="math")
+    push = sp.lambdify(w, steady.input, modules="math")
+    states = (*system.states, *system.zero)
+    plant = sp.lambdify((*states, system.input), (*system.field, *system.zero_field), modules="math")
+
+    def field(t: float, both: Any) -> FloatArray:
+        numbers = np.asarray(both).tolist()
+        driving, x = numbers[: len(w)], numbers[len(w) :]
+        moved = np.array(plant(*x, push(*driving))) + disturbance(t)
+        return np.concatenate([drive(*driving), moved])
+
+    return field
+
+
+def outputs_of(system: SymbolicSystem, states: FloatArray) -> FloatArray:
+    """The outputs without noise, (N, p), of states (N, n), x before z."""
+    names = (*system.states, *system.zero)
+    columns = symbolic().lambdify(names, system.outputs, modules="numpy")(*states.T)
+    return np.stack([np.broadcast_to(one, len(states)) for one in columns], axis=-1)

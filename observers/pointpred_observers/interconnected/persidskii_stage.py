@@ -12,7 +12,6 @@ from pointpred.parameter import option, parameter
 from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import CompiledStage
 from pointpred_observers.interconnected import persidskii_law as law
-from pointpred_observers.interconnected.design import ObserverDesign
 from pointpred_observers.interconnected.generator import Generator, fitted
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.plain_law import PlainLaw
@@ -27,7 +26,7 @@ NEVER = 1e300
 """A time that no interval reaches, s."""
 
 
-class PersidskiiObserver(CompiledStage):
+class PersidskiiStage(CompiledStage):
     """The stage w' = N w + L f(Jw + R i) + K i with i the inputs of a sample; returns R0 w + R1 f(.) + R2 i.
 
     Assumes that inputs are linear between two samples; in discrete time each sample is one step, its index
@@ -55,10 +54,10 @@ class PersidskiiObserver(CompiledStage):
 
     Reference: Khalin 2022, (3.5), (3.8), (3.17), (3.19).
 
-    >>> lag = PersidskiiObserver([[-1.0]], None, None, [[1.0]], "sin", start=[0.0])
+    >>> lag = PersidskiiStage([[-1.0]], None, None, [[1.0]], "sin", start=[0.0])
     >>> [round(float(lag.update(t, 1.0)[0]), 6) for t in (0.0, 0.25, 1.0)]  # 1 - exp(-t)
     [0.0, 0.221199, 0.632121]
-    >>> turning = PersidskiiObserver(lambda t: [[-2.0 * t]], None, None, None, "sin", start=[1.0])
+    >>> turning = PersidskiiStage(lambda t: [[-2.0 * t]], None, None, None, "sin", start=[1.0])
     >>> [round(float(turning.update(t)[0]), 6) for t in (0.0, 0.5, 1.0)]  # exp(-t^2)
     [1.0, 0.778801, 0.367879]
     """
@@ -241,45 +240,17 @@ class PersidskiiObserver(CompiledStage):
         return row
 
 
-def observer_stage(design: ObserverDesign, **settings: Any) -> PersidskiiObserver:
-    """Observer (3.5) of a design: inputs are Y, then rho; it returns w^, then x^ = Pi w^ of (3.7).
-
-    For a full-order design, whose w is x, it returns x^ alone.
-    A missing output is replaced by the one of the estimate, C0 Pi w + C1 f(Jw): no correction.
-    """
-    design = instance("design", design, ObserverDesign)
-    g, plant, m = design.generator, design.plant, design.gain
-    return PersidskiiObserver(
-        g.S0 - m @ plant.C0 @ design.Pi,
-        g.S1 - m @ plant.C1,
-        plant.H @ design.Pi,
-        np.hstack([g.G + m, g.E]),
-        plant.f,
-        R0=np.eye(g.q) if design.full_order else np.vstack([np.eye(g.q), design.Pi]),
-        missing=MissingInputs.expected(plant.C0 @ design.Pi, plant.C1, plant.p + g.E.shape[1], plant.time),
-        time=plant.time,
-        **settings,
-    )
-
-
-def regulator_stage(plant: Plant, regulator: Generator, **settings: Any) -> PersidskiiObserver:
-    """Regulator (3.8): inputs are Y, then rho; it returns u = L0 w + L1 f(Jw).
+def regulator_stage(plant: Plant, regulator: Generator, Pi: Any = None, **settings: Any) -> PersidskiiStage:
+    """Regulator (3.8): inputs are Y, then rho; it returns u = L0 w + L1 f(Jw), and behind it Pi w if given.
 
     A missing input keeps its last value. Raises ParameterError if the regulator has no J.
     """
-    return regulator_with_estimate(plant, regulator, None, **settings)
-
-
-def regulator_with_estimate(
-    plant: Plant, regulator: Generator, Pi: Any, **settings: Any
-) -> PersidskiiObserver:
-    """The stage of a regulator that also returns Pi w, behind u; u alone for ``None``."""
     plant = as_plant(plant)
     g = fitted(regulator, plant, "regulator")
     pi = np.zeros((0, g.q)) if Pi is None else matrix("Pi", Pi, plant.n, g.q)
     if g.J is None:
         raise ParameterError("a regulator needs J: give it, or take it from the steady-state map, J = H Pi")
-    return PersidskiiObserver(
+    return PersidskiiStage(
         g.S0,
         g.S1,
         g.J,
