@@ -10,17 +10,9 @@ import numpy as np
 from pointpred.drawing import Panel, beside, drawing
 from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value
-from pointpred_observers.camera import (
-    SCENARIOS,
-    DepthObserver,
-    Noise,
-    Scenario,
-    Trajectory,
-    UnknownInputs,
-    trajectory,
-    velocities,
-)
-from pointpred_observers.camera.samples import observed
+from pointpred_observers.camera import SCENARIOS, DepthObserver, Noise
+from pointpred_observers.camera.scenario import Scenario, Trajectory, observed, trajectory
+from pointpred_observers.camera.velocity import flow, velocities
 
 FOCAL_PX, RATE_HZ, LENGTH_S = 800.0, 33.0, 10.0
 """The paper prints the rate only; the focal length and the length are ours."""
@@ -71,7 +63,10 @@ def estimated(
     """The observer from the printed start, v_x and v_y by plain differences of the image."""
     samples = observed(truth, focal_px=FOCAL_PX, noise=Noise(noise_px=noise_px), seed=seed)
     depth = DepthObserver(focal_px=FOCAL_PX, start_chi=START_CHI, start_eta=start_eta).run(samples)
-    d = UnknownInputs("difference", focal_px=FOCAL_PX).run(samples, depth.eta)
+    image = samples.table[:, 1:3] / FOCAL_PX
+    slopes = np.vstack([[np.nan, np.nan], np.diff(image, axis=0) / np.diff(samples.t)[:, None]])
+    rows = np.column_stack([image, depth.eta, samples.table[:, 3:6]])
+    d = np.array([flow(*row) for row in rows.tolist()]) - slopes
     ours = np.column_stack([depth.chi, depth.eta, velocities(d, depth)])
     return Estimated(ours, np.column_stack([truth.chi, truth.eta, truth.v]))
 
