@@ -15,9 +15,10 @@ from pointpred.records import FloatArray
 from pointpred_observers.matrices import instance
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, run, sampled
+from pointpred_observers.unknown_input.boxes import Point
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 from pointpred_observers.unknown_input.stage import UnknownInputSample
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 
 def unknown_inputs(observer: UnknownInputObserver, plant: Any, setting: Setting) -> Simulation:
