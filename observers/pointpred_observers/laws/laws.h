@@ -343,6 +343,7 @@ int64_t triangular_interlaced_observer_states(int64_t q, int64_t p);
 int64_t triangular_interlaced_observer_step(Vector memory, Vector row, Vector out);
 double triangular_program_apply(int64_t code, double a, double b);
 void triangular_program_execute(Vector memory, Table rows);
+bool unknown_input_boxes_weigh(Table axes, Vector p, Vector weights);
 void unknown_input_stage_estimated(Vector block, Table ends, double s, Table space);
 bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block);
 void unknown_input_stage_push(Vector block, Table c, Table ends, double s, int64_t part, double h, Table space);

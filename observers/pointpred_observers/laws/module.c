@@ -2071,6 +2071,29 @@ static PyObject *py_triangular_program_execute(PyObject *self, PyObject *const *
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_unknown_input_boxes_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.unknown_input.boxes:weigh";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  Vector a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "axes", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "axes", a0.m, 2)
+        && take_array(&held, args[1], law, "p", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "weights", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = unknown_input_boxes_weigh(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
 static PyObject *py_unknown_input_stage_estimated(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.unknown_input.stage:estimated";
   Held held;
@@ -2111,7 +2134,6 @@ static PyObject *py_unknown_input_stage_mix(PyObject *self, PyObject *const *arg
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[1], law, "axes", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "axes", a1.m, 2)
         && take_array(&held, args[2], law, "p", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "weights", 'd', 1, true, &view)
@@ -2221,6 +2243,7 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.triangular.interlaced_observer:step", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_step, METH_FASTCALL, NULL},
   {"pointpred_observers.triangular.program:apply", (PyCFunction)(void (*)(void))py_triangular_program_apply, METH_FASTCALL, NULL},
   {"pointpred_observers.triangular.program:execute", (PyCFunction)(void (*)(void))py_triangular_program_execute, METH_FASTCALL, NULL},
+  {"pointpred_observers.unknown_input.boxes:weigh", (PyCFunction)(void (*)(void))py_unknown_input_boxes_weigh, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:estimated", (PyCFunction)(void (*)(void))py_unknown_input_stage_estimated, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:mix", (PyCFunction)(void (*)(void))py_unknown_input_stage_mix, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:push", (PyCFunction)(void (*)(void))py_unknown_input_stage_push, METH_FASTCALL, NULL},

@@ -13,7 +13,7 @@ from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.records import FloatArray, FloatTable
 from pointpred_observers.eigenvalues import perron_root
-from pointpred_observers.unknown_input.boxes import BORDER, Point
+from pointpred_observers.unknown_input.boxes import Point, weigh
 from pointpred_observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
 
 if TYPE_CHECKING:
@@ -59,26 +59,12 @@ class UnknownInputEstimate(msgspec.Struct, frozen=True):
 
 @law
 def mix(corners: FloatTable, axes: FloatTable, p: FloatArray, weights: FloatArray, block: FloatArray) -> bool:
-    """The matrices at a point of a box from those at its vertices, a row each; false for one outside.
-
-    ``axes``: low and high of each variable; the last one changes fastest.
-    """
-    count = 1
-    weights[0] = 1.0
-    for axis in range(len(axes)):
-        low, high = axes[axis, 0], axes[axis, 1]
-        slack = BORDER * (high - low)
-        if not low - slack <= p[axis] <= high + slack:
-            return False
-        if low < high:
-            up = min(max((p[axis] - low) / (high - low), 0.0), 1.0)
-            for i in range(count - 1, -1, -1):
-                weights[2 * i + 1] = weights[i] * up
-                weights[2 * i] = weights[i] * (1.0 - up)
-            count *= 2
+    """The matrices at a point of a box from those at its vertices, a row each; false for one outside."""
+    if not weigh(axes, p, weights):
+        return False
     for j in range(len(block)):
         block[j] = 0.0
-    for i in range(count):
+    for i in range(len(weights)):
         if weights[i] != 0.0:
             for j in range(len(block)):
                 block[j] += weights[i] * corners[i, j]
@@ -178,7 +164,7 @@ class UnknownInputStage:
         corners = [design.equations(point) for point in design.box.corners]
         self._corners = np.array([np.concatenate([part.ravel() for part in one]) for one in corners])
         self._moving = any(not np.array_equal(one[2], corners[0][2]) for one in corners)  # E
-        self._axes = np.array(list(design.box.bounds.values()))
+        self._axes = design.box.axes
         self._fastest = design.fastest
         self.reset()
 
