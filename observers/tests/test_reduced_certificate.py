@@ -7,7 +7,7 @@ import pytest
 from scipy import signal
 
 from observers.tests.solvers import solved_by
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers import Persidskii, invariant_observer, trajectory
 from pointpred_observers.bounds import proved_bound
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
