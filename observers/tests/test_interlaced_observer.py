@@ -46,7 +46,7 @@ def test_the_margins_are_those_of_the_matrices_returned() -> None:
     assert min(np.linalg.eigvalsh(m).min() for m in (found.P, found.Q, found.Gamma)) > 0.0
     assert min(found.margins.values()) > 0.0
     assert pytest.approx(found.U, abs=1e-12) == found.P @ found.L
-    assert found.bound.rate >= 0.4
+    assert found.bound.decay >= 0.4
     assert np.linalg.eigvals(A - found.L @ C).real.max() <= -0.4
 
 
@@ -85,9 +85,9 @@ def test_the_printed_bound_is_exceeded_and_the_corrected_one_holds() -> None:
         corrected = np.sqrt(1.03 * eigen[1] / (0.206 * eigen[0]))
         assert rest <= bound.gains[0] <= corrected + 1e-12
         assert bound.overshoot == pytest.approx(np.sqrt(eigen[1] / eigen[0]))
-        assert bound.rate >= 0.5 * 0.206 / eigen[1] - 1e-12
-        assert bound.rate == pytest.approx(0.5 * eigh(printed["Q"], p, eigvals_only=True)[0])
-        assert bound.gains[0] == pytest.approx(np.sqrt(1.03 / (2.0 * bound.rate * eigen[0])))
+        assert bound.decay >= 0.5 * 0.206 / eigen[1] - 1e-12
+        assert bound.decay == pytest.approx(0.5 * eigh(printed["Q"], p, eigvals_only=True)[0])
+        assert bound.gains[0] == pytest.approx(np.sqrt(1.03 / (2.0 * bound.decay * eigen[0])))
     assert rest > printed_gain
 
 
