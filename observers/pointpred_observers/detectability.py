@@ -27,6 +27,11 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
     >>> undetectable([[1.0, 0.0], [0.0, -2.0]], [[0.0, 1.0]])
     [(1+0j)]
     """
+    return hidden(A, C, time, staying=True)
+
+
+def hidden(A: Any, C: Any, time: str, *, staying: bool = False) -> list[complex]:
+    """The eigenvalues of modes that do not appear in the output, or only of those ``staying``."""
     one_of("time", time, TIMES)
     a = matrix("A", A, len(matrix("A", A)), len(matrix("A", A)))
     c = matrix("C", C, None, len(a))
@@ -39,7 +44,7 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
         stays = abs(one) >= 1.0 - SINGULAR if time == "discrete" else one.real >= -SINGULAR * size
         pencil = np.vstack([(one * np.eye(len(a)) - a) / size, c])
         # Repeated eigenvalues are computed to half their digits only.
-        if stays and np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2:
+        if (stays or not staying) and np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2:
             modes.append(complex(one))
     return modes
 

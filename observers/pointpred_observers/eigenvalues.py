@@ -10,6 +10,9 @@ import numpy as np
 from pointpred.errors import InfeasibleError
 from pointpred.records import FloatArray
 
+BESIDE = 1e-5
+"""An eigenvalue within this of another, or of the imaginary axis, relative to the matrix, counts as there."""
+
 
 def require_decay(corners: Iterable[tuple[str, FloatArray]], time: str, what: str) -> float:
     """The largest real part of an eigenvalue at any corner, in discrete time the logarithm of its modulus.
@@ -32,6 +35,30 @@ def require_decay(corners: Iterable[tuple[str, FloatArray]], time: str, what: st
                 )
             slowest = max(slowest, rate)
     return slowest
+
+
+def unsettled(a: FloatArray, time: str = "continuous") -> list[tuple[complex, str]]:
+    """The eigenvalues with which w' = a w is not neutrally stable, each with what its motion does.
+
+    >>> unsettled(np.array([[0.0, 1.0], [-1.0, 0.0]])), unsettled(np.array([[-1.0]]))
+    ([], [((-1+0j), 'a motion of the eigenvalue {} decays')])
+    """
+    size = float(np.linalg.norm(a, 2)) or 1.0
+    values = np.linalg.eigvals(a).astype(np.complex128)
+    listed = []
+    for one in values:
+        growth = abs(one) - 1.0 if time == "discrete" else one.real
+        pencil = (one * np.eye(len(a)) - a) / size
+        alike = int((np.abs(values - one) <= BESIDE * size).sum())
+        # A defective eigenvalue is computed to a root of its digits only.
+        if abs(growth) > BESIDE * size:
+            motion = f"a motion of the eigenvalue {{}} {'grows' if growth > 0.0 else 'decays'}"
+        elif len(a) - np.linalg.matrix_rank(pencil, tol=BESIDE) < alike:
+            motion = "the eigenvalue {} is multiple, and a motion of it grows with t"
+        else:
+            continue
+        listed.append((complex(one), motion))
+    return listed
 
 
 def perron_root(entries: FloatArray) -> float:
