@@ -20,7 +20,6 @@ from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
 from pointpred_observers.balance import Coordinates, balanced, inward
 from pointpred_observers.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
-from pointpred_observers.detectability import require_detectable
 from pointpred_observers.documents.entries import (
     Document,
     Functions,
@@ -32,7 +31,7 @@ from pointpred_observers.documents.entries import (
 )
 from pointpred_observers.documents.expressions import parsed
 from pointpred_observers.documents.symbolic_plants import SteadyStateDocument
-from pointpred_observers.eigenvalues import perron_root
+from pointpred_observers.eigenvalues import perron_root, require_detectable
 from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.inequalities.definite import solved
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities

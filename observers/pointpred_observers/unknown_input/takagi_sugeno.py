@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers import rounding
+from pointpred_observers import equalities
 from pointpred_observers.matrices import matrix
 from pointpred_observers.unknown_input.boxes import Box
 
@@ -17,8 +17,8 @@ Scheduled = Callable[[Mapping[str, float]], FloatArray]
 """A matrix as a function of the scheduling variables."""
 NO_DIFFERENCE = 1e-9
 """A difference below this share of the largest value of the same entry counts as none."""
-CANCELLED = 4.0 * rounding.REMAINDER
-"""The same beside the terms of a computed entry: one below ``rounding.REMAINDER`` of them may have been set
+CANCELLED = 4.0 * equalities.REMAINDER
+"""The same beside the terms of a computed entry: one below ``equalities.REMAINDER`` of them may have been set
 to zero at any of the points."""
 POINTS = 16
 SEED = 20211217
