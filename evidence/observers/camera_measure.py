@@ -182,29 +182,29 @@ def residuals() -> Table:
 
 
 def asked() -> list[tuple[tuple[str, str], Box, float]]:
-    """What is designed: ranges of eta at two thirds of the largest sigma, or at 0.01 1/s where there is none.
+    """What is designed: ranges of eta at two thirds of the largest decay, or at 0.005 1/s.
 
-    The bounds of eta and sigma in 1/s as the tables name them, the box, and sigma.
+    The bounds of eta and the decay in 1/s as the tables name them, the box, and the decay.
     """
     bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.06, 0.06), "dw": (-0.1, 0.1)}
     listed = []
     for eta in ((-2.0, -0.2), (-2.0, -0.05), (-2.0, -0.03), (-2.0, -0.015), (-0.4, 0.1)):
-        sigma = max(4.0 / 3.0 * -(eta[1] + 0.02), 0.01)
-        listed.append(((f"[{eta[0]:g}, {eta[1]:g}]", f"{sigma:.3g}"), camera_box(eta, **bounds), sigma))
+        decay = max(2.0 / 3.0 * -(eta[1] + 0.02), 0.005)
+        listed.append(((f"[{eta[0]:g}, {eta[1]:g}]", f"{decay:.3g}"), camera_box(eta, **bounds), decay))
     return listed
 
 
 def designs() -> Table:
     """What can be designed: certificates, and refusals."""
     rows = []
-    for names, box, sigma in asked():
+    for names, box, decay in asked():
         try:
-            one = UnknownInputObserver.design(camera_system(), box, sigma).certificate
-            cells = (f"{one.largest_sigma:.3g}", f"{one.phi1:.3g}", f"{one.phi2:.3g}", f"{one.margin:.1e}")
+            one = UnknownInputObserver.design(camera_system(), box, decay).certificate
+            cells = (f"{one.largest_decay:.3g}", f"{one.phi1:.3g}", f"{one.phi2:.3g}", f"{one.margin:.1e}")
         except InfeasibleError as none:
-            cells = ("none" if "no sigma" in str(none) else "?", "refused", "-", "-")
+            cells = ("none" if "no decay" in str(none) else "?", "refused", "-", "-")
         rows.append((*names, *cells))
-    return Table.of(("eta 1/s", "sigma 1/s", "largest", "phi1", "phi2 s", "margin"), rows)
+    return Table.of(("eta 1/s", "decay 1/s", "largest", "phi1", "phi2 s", "margin"), rows)
 
 
 def _share(error: Any, of: Any) -> str:

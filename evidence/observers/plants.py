@@ -155,7 +155,7 @@ def unknown(one: Problem) -> Any:
         lambda p: force / x[:, None],
         one.c * x / y[:, None],
     )
-    return UnknownInputObserver.design(system, Box({"s": (-1.0, 1.0)}), 0.2 * one.t)
+    return UnknownInputObserver.design(system, Box({"s": (-1.0, 1.0)}), 0.1 * one.t)
 
 
 DOORS: dict[str, Callable[[Problem], Any]] = {

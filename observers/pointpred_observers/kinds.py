@@ -23,6 +23,7 @@ from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred_observers.triangular.system import SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 KINDS: dict[str, tuple[type[Observer], Any]] = {
@@ -33,7 +34,7 @@ KINDS: dict[str, tuple[type[Observer], Any]] = {
         (DrivenObserver, Persidskii),
         (Regulator, Persidskii),
         (InterlacedObserver, SymbolicSystem | SymbolicSteadyState),
-        # BRIDGE (UnknownInputObserver, ParameterVaryingSystem),
+        (UnknownInputObserver, ParameterVaryingSystem),
     )
 }
 """The class of each kind of observer, and its plant."""
@@ -53,7 +54,7 @@ def design(plant: Any, kind: str | None = None, *, decay: float = 1.0, **options
                                           answers with the input u                  reference, following
     interlaced    SymbolicSystem          the generator's state and the plant's     generator, first,
                                           steady state                              upper, degree, gain
-    unknown-input ParameterVaryingSystem, the state beside inputs that nobody       box, output_rate
+    unknown-input ParameterVaryingSystem, the state beside inputs that nobody       box, output_decay
                   CornerSystem            measures
     ============= ======================= ========================================= =======================
 

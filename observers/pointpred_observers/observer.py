@@ -55,7 +55,7 @@ class Observer:
         raise NotImplementedError
 
     @property
-    def gains(self) -> dict[str, FloatArray]:
+    def chosen(self) -> dict[str, FloatArray]:
         """The matrices that the design chose."""
         return {}
 

@@ -19,9 +19,12 @@ from pointpred_observers.trajectories import trajectory
 from pointpred_observers.triangular.forms import interlaced
 from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSystem
 from pointpred_observers.unknown_input.boxes import Box
-from pointpred_observers.unknown_input.corners import CornerSystem
-from pointpred_observers.unknown_input.invariant_zeros import invariant_zeros
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.unknown_input.stage import UnknownInputSample
+from pointpred_observers.unknown_input.system import (
+    CornerSystem,
+    ParameterVaryingSystem,
+    invariant_zeros,
+)
 
 __all__ = [
     "Box",
@@ -37,6 +40,7 @@ __all__ = [
     "Regression",
     "SymbolicGenerator",
     "SymbolicSystem",
+    "UnknownInputSample",
     "audit",
     "c2d",
     "certify_decay",

@@ -72,8 +72,10 @@ MAKERS = {
     "driven": lambda: o.design(DRIVEN, "driven", generator=CONSTANT, Pi=[[1.0], [2.0]], decay=1.0),
     "regulator": lambda: o.design(PENDULUM, "regulator", decay=1.0),
     "servo": _servo,
-    "unknown input": lambda: UnknownInputObserver.design(WING, WING.box, sigma=1.0),
-    "unknown input, discrete": lambda: UnknownInputObserver.design(SAMPLED_WING, SAMPLED_WING.box, sigma=0.3),
+    "unknown input": lambda: UnknownInputObserver.design(WING, WING.box, decay=0.5),
+    "unknown input, discrete": lambda: UnknownInputObserver.design(
+        SAMPLED_WING, SAMPLED_WING.box, decay=0.15
+    ),
     "interlaced": _interlaced,
 }
 
@@ -110,5 +112,5 @@ def numbers(thing: Any) -> dict[str, np.ndarray[Any, Any]]:
     }
     walk("", parts)
     if "gains" in parts:
-        found["gains"] = thing.gains.matrices
+        found["gains"] = thing.gains
     return {name: one for name, one in found.items() if "margins" not in name}

@@ -313,7 +313,7 @@ TAMPERED = [
     ("regulator", put("observer", "plant", "B", value=[[0.0], [2.0]]), CertificateError),
     ("regulator", put("observer", "plant", "domain", value=1.0), CertificateError),
     ("unknown input", put("gains", value=[[[9.0], [-90.0]], [[9.0], [90.0]]]), CertificateError),
-    ("unknown input", put("sigma", value=5.0), CertificateError),
+    ("unknown input", put("decay", value=2.5), CertificateError),
     ("interlaced", put("certificate", "U", value=[[-1.0], [0.0]]), CertificateError),
     ("interlaced", put("steady", "maps", 0, value="w1**2"), CertificateError),
 ]

@@ -246,7 +246,7 @@ def test_the_error_system_of_an_unknown_input_observer_has_its_zeros() -> None:
     system = ParameterVaryingSystem(
         lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
     )
-    observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), sigma=1.0)
+    observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), decay=0.5)
     errors = observer.error_system()
     assert errors.names == ("k = -3", "k = -1")
     for a, zero in zip(errors.A, (-3.0, -1.0), strict=True):

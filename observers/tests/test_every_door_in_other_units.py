@@ -23,7 +23,7 @@ MOVED = {
     "`certify_convergence`": lambda found, one: rate(found, one),
     "`certify_tracking`": lambda found, one: shape(found.error.values["P"] / one.x / one.x[:, None]),
     "`certify_interlaced`": lambda found, one: found.L * one.x[:, None] / one.y[0] / one.t,
-    "`UnknownInputObserver.design`": lambda found, one: min(found.certificate.largest_sigma / one.t, 1e9),
+    "`UnknownInputObserver.design`": lambda found, one: min(found.certificate.largest_decay / one.t, 1e9),
 }
 """Of each answer something that does not depend on the units once it is scaled back."""
 

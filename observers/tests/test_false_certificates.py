@@ -16,13 +16,13 @@ from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers.bounds import least_ratio
 from pointpred_observers.documents.files import decoded, encoded
 from pointpred_observers.inequalities.definite import least
-from pointpred_observers.interconnected.tracking import closed_loop
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.reversed_certificate import certified_convergence
 from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
 from pointpred_observers.thesis import (
     certify_convergence,
     certify_tracking,
+    closed_loop,
     regulator_equations,
     theorem_3_2_1,
     theorem_3_2_2,
@@ -38,7 +38,7 @@ def pendulum(push: float = 1.0) -> o.Persidskii:
 def wrong(push: float, share: float, **more: Any) -> tuple[ReducedOrderObserver, InvariantObserver]:
     """A design, and its observer with ``share`` of the right B."""
     design = o.design(pendulum(push), "reduced", decay=1.0, injection=True)
-    b, pi = design.observer.at(0.0).B, design.observer.document().Pi
+    b, pi = design.observer.at(0.0).B, design.observer.given("Pi")
     return design, o.invariant_observer(
         pendulum(push), pi, design.Upsilon, B=share * b, injection=True, **more
     )
@@ -50,7 +50,7 @@ def test_a_small_matrix_must_be_symmetric_to_the_last_bit(name: str) -> None:
     system = o.CornerSystem(
         o.Box({"k": (1.0, 3.0)}), A=[a, a], F=[[0.0], [0.0], [1.0]], C=[[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
     )
-    file = json.loads(encoded(UnknownInputObserver.design(system, system.box, sigma=1.0)))
+    file = json.loads(encoded(UnknownInputObserver.design(system, system.box, decay=0.5)))
     gain = [[-4.0, 0.0], [-1.0, 0.0], [0.0, 5.0]]  # N has the eigenvalue 3
     skew = np.diag([1e-12] * 3)
     skew[0, 1] = -5e-9
@@ -70,7 +70,7 @@ def test_designs_of_our_own_are_symmetric_to_the_last_bit() -> None:
             C=[[1.0, 0.3]],
             time=time,
         )
-        proof = UnknownInputObserver.design(system, system.box, sigma=0.3).certificate
+        proof = UnknownInputObserver.design(system, system.box, decay=0.15).certificate
         assert proof.force is not None
         assert np.array_equal(proof.p, proof.p.T)
         assert np.array_equal(proof.force, proof.force.T)
@@ -82,14 +82,14 @@ def test_gains_that_overflow_are_refused_in_words(entry: float, time: str) -> No
     shift = np.eye(2) if time == "continuous" else np.zeros((2, 2))
     corners = [np.array([[0.5, 0.1], [last, 0.2]]) - shift for last in (-0.1, -0.3)]
     system = o.CornerSystem(o.Box({"k": (0.1, 0.3)}), A=corners, F=[[1.0], [0.0]], C=[[1.0, 0.0]], time=time)
-    design = UnknownInputObserver.design(system, system.box, sigma=0.3)
-    gains, proof = design.gains.matrices.copy(), design.certificate
+    design = UnknownInputObserver.design(system, system.box, decay=0.15)
+    gains, proof = design.gains.copy(), design.certificate
     gains[1][0][0] = entry
     assert proof.force is not None
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         with pytest.raises((CertificateError, ParameterError), match=r"too large|\(27c\) has the eigenvalue"):
-            UnknownInputObserver.certified(system, system.box, gains, proof.p, proof.force, proof.sigma)
+            UnknownInputObserver.certified(system, system.box, gains, proof.p, proof.force, proof.decay)
 
 
 def test_numbers_that_overflowed_are_no_zero_division() -> None:
@@ -130,7 +130,7 @@ def test_no_tolerance_certifies_an_observer_that_breaks_its_equalities(push: flo
 def test_slow_rates_do_not_hide_an_equality_that_fails() -> None:
     plant = o.Persidskii(np.array([[0.0, 1.0], [0.0, -0.3]]) * 1e-12, None, None, "sin", C0=[1.0, 0.0])
     design = o.design(plant, "reduced", decay=1e-12)
-    b, pi = design.observer.at(0.0).B, design.observer.document().Pi
+    b, pi = design.observer.at(0.0).B, design.observer.given("Pi")
     with pytest.raises(CertificateError, match=r"S0 Z .* = 0 fails"):
         certify_convergence(o.invariant_observer(plant, pi, design.Upsilon, B=2.0 * b), decay=0.9e-12)
 

@@ -32,7 +32,7 @@ DOORS: dict[str, Any] = {
     ),
     "interlaced": lambda: certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 1.0]], decay=0.25).gap,
     "unknown input": lambda: (
-        UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.05), **CALM), 0.02).certificate.gap
+        UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.05), **CALM), 0.01).certificate.gap
     ),
 }
 

@@ -9,11 +9,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import EventError, InfeasibleError, ParameterError
-from pointpred_observers import Box, ParameterVaryingSystem
+from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputSample
 from pointpred_observers.camera import SCENARIOS, camera_box, camera_system, model, simulate
-from pointpred_observers.unknown_input import run as running
+from pointpred_observers.unknown_input import stage as running
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.run import UnknownInputSample
 
 A = np.array([[-1.0, 2.0, 0.0], [0.5, 0.3, 1.0], [0.0, -1.0, -0.4]])
 F = np.array([[1.0], [0.5], [0.0]])
@@ -38,8 +37,12 @@ def at(t: float) -> Any:
     return lambda _: {"k": k(t)}
 
 
-def observed(c: Any, f: Any = F, sigma: float = 0.5) -> UnknownInputObserver:
-    return UnknownInputObserver.design(system(c, f=f), Box({"k": (-0.5, 0.0)}), sigma)
+def observed(c: Any, f: Any = F, decay: float = 0.25) -> UnknownInputObserver:
+    return UnknownInputObserver.design(system(c, f=f), Box({"k": (-0.5, 0.0)}), decay)
+
+
+def gain_at(observer: UnknownInputObserver, point: Any) -> Any:
+    return observer.box.mixed(observer.gains, point)
 
 
 def run(
@@ -57,13 +60,13 @@ def run(
     truth = solve_ivp(
         rate, (0.0, times[-1]), [0.3, -0.2, 0.5], method="DOP853", t_eval=times, rtol=1e-10, atol=1e-12
     ).y.T
-    observer.start(np.asarray(start, float), **noise)
+    stage = observer.stage(start, **noise)
     estimates = []
     for i, (t, x) in enumerate(zip(times, truth, strict=True)):
         y = one.c @ x
         y[list(lost.get(i, ()))] = NAN
         known = np.array([0.0, t, 0.0])
-        estimates.append(observer.update(UnknownInputSample(t, y, known, at(t))))
+        estimates.append(stage.update(UnknownInputSample(t, y, known, at(t))))
     errors = np.array([e.x for e in estimates]) - truth
     return errors, estimates, np.array([d(t) for t in times])
 
@@ -74,9 +77,9 @@ def test_every_state_measured(f: Any) -> None:
     one = observer.certificate
     assert one.margin > 0.0
     assert one.zeros.size == 0
-    assert one.largest_sigma == np.inf
+    assert one.largest_decay == np.inf
     for k in (-0.5, -0.2, 0.0):
-        n = observer.system.gamma({"k": k}) - observer.gains.at({"k": k})
+        n = observer.system.gamma({"k": k}) - gain_at(observer, {"k": k})
         assert np.linalg.eigvals(n).real.max() < -0.25
         assert np.abs(n).max() < 30.0  # no gain is larger than it must be
     if f is F:
@@ -85,7 +88,7 @@ def test_every_state_measured(f: Any) -> None:
 
 
 def test_the_bound_of_every_state_measured_is_what_it_says() -> None:
-    """|T| / sigma for a disturbance: the gamma that costs as much of the decay as sigma itself."""
+    """|T| / (2 decay) for a disturbance: the gamma that costs as much of the decay as the decay itself."""
     one = observed(np.eye(3)).certificate
     assert one.phi2 < 5.0
     assert one.phi1 < 3.0
@@ -103,7 +106,7 @@ def test_redundant_outputs(more: Any) -> None:
     observer = observed(np.vstack([PART, more]))
     assert observer.certificate.margin > 0.0
     for k in (-0.5, 0.0):
-        n = observer.system.gamma({"k": k}) - observer.gains.at({"k": k}) @ observer.system.c
+        n = observer.system.gamma({"k": k}) - gain_at(observer, {"k": k}) @ observer.system.c
         assert np.linalg.eigvals(n).real.max() < -0.25
     errors, _, _ = run(observer, [0.0, 1.0, 0.0], np.arange(0.0, 20.0, 0.1))
     assert np.abs(errors[0]).max() > 1.0
@@ -123,14 +126,14 @@ def test_more_outputs_than_inputs_in_other_units(c: Any, time: str) -> None:
     one = system(c, first, time=time)
     other = system(c * x / y[:, None], first * x / x[:, None], F / x[:, None], time=time)
     box = Box({"k": (-0.5, 0.0)})
-    found, again = (UnknownInputObserver.design(each, box, 0.5) for each in (one, other))
+    found, again = (UnknownInputObserver.design(each, box, 0.25) for each in (one, other))
     point = {"k": -0.3}
     assert again.system.t(point) * x[:, None] / x == pytest.approx(found.system.t(point), rel=1e-6, abs=1e-9)
     if time == "discrete" and c is PART:
         assert again.certificate.margin > 0.0
         return
-    gains = again.gains.at(point) * x[:, None] / y
-    assert gains == pytest.approx(found.gains.at(point), rel=2e-3, abs=1e-6)
+    gains = gain_at(again, point) * x[:, None] / y
+    assert gains == pytest.approx(gain_at(found, point), rel=2e-3, abs=1e-6)
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1e6])
@@ -139,7 +142,7 @@ def test_the_zeros_of_a_system_in_other_units(scale: float) -> None:
     a = np.array([[0.1, 1.0, 0.5], [0.0, -2.0, 0.0], [1.0, 0.0, -1.0]])
     x = np.array([1.0, scale, 1.0 / scale])
     one = system(PART * x, a * x / x[:, None], np.array([[1.0], [0.0], [0.0]]) / x[:, None])
-    found = UnknownInputObserver.design(one, Box({"k": (-0.5, 0.0)}), 0.5).certificate
+    found = UnknownInputObserver.design(one, Box({"k": (-0.5, 0.0)}), 0.25).certificate
     assert np.sort(found.zeros.real.ravel()) == pytest.approx([-2.5, -2.0], rel=1e-9)
 
 
@@ -178,9 +181,9 @@ def test_the_filter_reconstructs_the_unknown_input_through_noise() -> None:
     outputs = truth @ PART.T + size * rng.normal(size=(len(times), 2))
     found = {}
     for name, more in {"raw": {}, "filter": {"noise": size, "density": 2.0}}.items():
-        observer.start(np.array([0.3, -0.2, 0.5]), **more)
+        stage = observer.stage([0.3, -0.2, 0.5], **more)
         estimates = [
-            observer.update(UnknownInputSample(t, y, np.zeros(3), at(t)))
+            stage.update(UnknownInputSample(t, y, np.zeros(3), at(t)))
             for t, y in zip(times, outputs, strict=True)
         ]
         found[name] = np.array([[e.d[0], e.spread[0]] for e in estimates])[100:]
@@ -208,15 +211,15 @@ def test_an_unknown_input_that_stays_is_bridged_without_error() -> None:
     """With a constant d the model with the last d is the plant: the error of a gap is that of its start."""
     a = np.array([[0.0, 1.0], [-2.0, -0.3]])
     one = ParameterVaryingSystem(lambda p: a + 0.0 * p["k"], lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2))
-    observer = UnknownInputObserver.design(one, Box({"k": (0.0, 0.0)}), 0.5)
+    observer = UnknownInputObserver.design(one, Box({"k": (0.0, 0.0)}), 0.25)
     times = np.arange(0.0, 3.0, 0.01)
     truth = solve_ivp(
         lambda t, x: a @ x + [0.8, 0.0], (0.0, 3.0), [0.3, -0.2], t_eval=times, rtol=1e-11, atol=1e-12
     ).y.T
-    observer.start(np.array([0.3, -0.2]))
+    stage = observer.stage([0.3, -0.2])
     for i, (t, x) in enumerate(zip(times, truth, strict=True)):
         y = x[:1] if i < 100 or i > 200 else np.array([NAN])
-        estimate = observer.update(UnknownInputSample(t, y, np.zeros(2), lambda _: {"k": 0.0}))
+        estimate = stage.update(UnknownInputSample(t, y, np.zeros(2), lambda _: {"k": 0.0}))
         assert estimate.x == pytest.approx(x, abs=2e-4)
         assert estimate.certified == (i < 100 or i > 201)
         if i > 100:
@@ -224,10 +227,9 @@ def test_an_unknown_input_that_stays_is_bridged_without_error() -> None:
 
 
 def test_the_first_output_may_be_missing() -> None:
-    observer = observed(PART)
-    observer.start(np.array([0.3, -0.2, 0.5]))
-    first = observer.update(UnknownInputSample(0.0, np.full(2, NAN), np.zeros(3), lambda _: {"k": 0.0}))
-    second = observer.update(UnknownInputSample(0.5, np.full(2, NAN), np.zeros(3), lambda _: {"k": 0.0}))
+    stage = observed(PART).stage([0.3, -0.2, 0.5])
+    first = stage.update(UnknownInputSample(0.0, np.full(2, NAN), np.zeros(3), lambda _: {"k": 0.0}))
+    second = stage.update(UnknownInputSample(0.5, np.full(2, NAN), np.zeros(3), lambda _: {"k": 0.0}))
     assert first.x.tolist() == [0.3, -0.2, 0.5]
     wanted = solve_ivp(lambda t, x: A @ x, (0.0, 0.5), first.x, rtol=1e-10, atol=1e-12).y[:, -1]
     assert second.x == pytest.approx(wanted, abs=1e-7)
@@ -255,13 +257,13 @@ def test_a_fast_unknown_input_observer_takes_short_steps() -> None:
     one = ParameterVaryingSystem(
         lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
     )
-    observer = UnknownInputObserver.design(one, Box({"k": (-310.0, -300.0)}), 1.0)
-    observer.start(np.array([0.0, 1.0]))
+    observer = UnknownInputObserver.design(one, Box({"k": (-310.0, -300.0)}), 0.5)
+    stage = observer.stage([0.0, 1.0])
     for i in range(40):
         sample = UnknownInputSample(0.02 * i, np.array([7.0]), np.zeros(2), lambda _: {"k": -300.0})
-        found = observer.update(sample).x[1]
+        found = stage.update(sample).x[1]
     assert abs(found) < 1e-9
-    quick = UnknownInputObserver.design(system(PART), Box({"k": (-0.5, 0.0)}), 0.5, output_rate=400.0)
+    quick = UnknownInputObserver.design(system(PART), Box({"k": (-0.5, 0.0)}), 0.25, output_decay=400.0)
     errors, _, _ = run(quick, [0.3, 0.2, 0.5], np.arange(0.0, 3.0, 0.04))
     assert np.abs(errors[-1]).max() < 0.05
 
@@ -269,63 +271,55 @@ def test_a_fast_unknown_input_observer_takes_short_steps() -> None:
 def slow(unit: float) -> UnknownInputObserver:
     one = system(PART, unit * A)
     box = Box({"k": (-0.5 * unit, 0.0)})
-    return UnknownInputObserver.design(one, box, 0.5 * unit)
+    return UnknownInputObserver.design(one, box, 0.25 * unit)
 
 
 def test_a_slow_plant_takes_as_many_steps_as_a_fast_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same plant in other units of time: the same number of rates between two samples."""
-    counts, integrated = [], running._integrated
+    counts, push = [], running.push
     for unit in (1.0, 1e-5):
-        observer = slow(unit)
+        stage = slow(unit).stage([0.3, -0.2, 0.5])
         called: list[int] = []
-
-        def counted(rate: Any, *rest: Any, c: Any = called) -> Any:
-            return integrated(lambda z, s: (c.append(0), rate(z, s))[1], *rest)
-
-        monkeypatch.setattr(running, "_integrated", counted)
-        observer.start(np.array([0.3, -0.2, 0.5]))
+        monkeypatch.setattr(running, "push", lambda *given, c=called: (c.append(0), push(*given)))
         for i in range(3):
             sample = UnknownInputSample(0.1 * i / unit, np.ones(2), np.zeros(3), lambda _: {"k": 0.0})
-            observer.update(sample)
+            stage.update(sample)
         counts.append(len(called))
     assert 0 < counts[0] == counts[1] < 200
 
 
 @pytest.mark.parametrize("y", [np.ones(2), None])
 def test_too_long_an_interval_is_refused(y: Any) -> None:
-    observer = slow(1.0)
-    observer.start(np.array([0.3, -0.2, 0.5]))
+    stage = slow(1.0).stage([0.3, -0.2, 0.5])
     schedule = at(0.0)
-    observer.update(UnknownInputSample(0.0, np.ones(2), np.zeros(3), schedule))
+    stage.update(UnknownInputSample(0.0, np.ones(2), np.zeros(3), schedule))
     with pytest.raises(EventError, match=r"bridges at most .* s, 1e\+05 steps: sample more often"):
-        observer.update(UnknownInputSample(1e9, y, np.zeros(3), schedule))
-    assert observer.update(UnknownInputSample(0.01, np.ones(2), np.zeros(3), schedule)).certified
+        stage.update(UnknownInputSample(1e9, y, np.zeros(3), schedule))
+    assert stage.update(UnknownInputSample(0.01, np.ones(2), np.zeros(3), schedule)).certified
 
 
 def test_none_stands_for_a_sample_without_any_output() -> None:
     found = []
     for lost in (None, np.full(2, NAN)):
-        observer = observed(PART)
-        observer.start(np.array([0.3, -0.2, 0.5]))
+        stage = observed(PART).stage([0.3, -0.2, 0.5])
         for i, y in enumerate((lost, np.ones(2), lost, np.ones(2))):
-            estimate = observer.update(UnknownInputSample(0.1 * i, y, np.zeros(3), at(0.0)))
+            estimate = stage.update(UnknownInputSample(0.1 * i, y, np.zeros(3), at(0.0)))
             found.append(estimate)
             assert not estimate.certified
     assert all(np.array_equal(one.x, two.x) for one, two in zip(found[:4], found[4:], strict=True))
 
 
 def test_what_is_no_sample_is_named() -> None:
-    observer = observed(PART)
-    observer.start(np.zeros(3))
+    stage = observed(PART).stage(np.zeros(3))
     wrong: Any = None
     with pytest.raises(EventError, match="UnknownInputSample, with y=None where every output is missing"):
-        observer.update(wrong)
+        stage.update(wrong)
 
 
 @pytest.fixture(scope="module")
 def camera() -> Any:
     bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}
-    observer = UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **bounds), 0.01)
+    observer = UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **bounds), 0.005)
     _, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=3.0, image_hz=100.0)
     return observer, truth
 
@@ -335,7 +329,7 @@ def test_the_camera_through_the_general_reconstruction(camera: Any) -> None:
     observer, truth = camera
     slopes = np.gradient(truth.w, truth.t, axis=0, edge_order=2)
     z = truth.p[:, 2]
-    observer.start(np.array([0.0, 0.0, 1.0 / z[0], truth.v[0, 2] / z[0]]), noise=1e-5, density=1.0)
+    stage = observer.stage([0.0, 0.0, 1.0 / z[0], truth.v[0, 2] / z[0]], noise=1e-5, density=1.0)
     errors: list[Any] = []
     estimate: Any = None
     for k in range(len(truth.t)):
@@ -349,7 +343,7 @@ def test_the_camera_through_the_general_reconstruction(camera: Any) -> None:
             return {"zero": here["y"] * m["w_x"] - here["x"] * m["w_y"] + here["eta"], **here, **m}
 
         known = np.concatenate([model.interaction(x, y) @ truth.w[k], np.zeros(2)])
-        estimate = observer.update(UnknownInputSample(truth.t[k], seen, known, schedule))
+        estimate = stage.update(UnknownInputSample(truth.t[k], seen, known, schedule))
         errors.append(estimate.d - truth.v[k, :2] / z[k])
     assert np.abs(errors[20:100]).max() < 2e-3
     assert np.abs(errors[250:]).max() < 4e-3
@@ -357,14 +351,12 @@ def test_the_camera_through_the_general_reconstruction(camera: Any) -> None:
 
 def test_what_the_model_needs_is_named(camera: Any) -> None:
     observer, _ = camera
-    observer.start(np.array([0.0, 0.0, 1.0, -0.5]))
+    stage = observer.stage([0.0, 0.0, 1.0, -0.5])
     point = {"zero": -0.5, "eta": -0.5, "a_z": 0.0, "w_x": 0.0, "w_y": 0.0, "dw_x": 0.0, "dw_y": 0.0}
-    observer.update(UnknownInputSample(0.0, np.zeros(2), np.zeros(4), lambda _: point))
-    assert np.isnan(
-        observer.update(UnknownInputSample(0.1, np.zeros(2), np.zeros(4), lambda _: point)).d
-    ).all()
+    stage.update(UnknownInputSample(0.0, np.zeros(2), np.zeros(4), lambda _: point))
+    assert np.isnan(stage.update(UnknownInputSample(0.1, np.zeros(2), np.zeros(4), lambda _: point)).d).all()
     with pytest.raises(EventError, match="the schedule needs the variable 'x' of A"):
-        observer.update(UnknownInputSample(0.2, np.full(2, NAN), np.zeros(4), lambda _: point))
+        stage.update(UnknownInputSample(0.2, np.full(2, NAN), np.zeros(4), lambda _: point))
 
 
 def test_parameters_of_the_reconstruction_are_named() -> None:
@@ -377,6 +369,6 @@ def test_parameters_of_the_reconstruction_are_named() -> None:
     ]
     for more, told in cases:
         with pytest.raises(ParameterError, match=told):
-            observer.start(np.zeros(3), **more)
-    with pytest.raises(InfeasibleError, match="largest feasible sigma"):
-        observed([[1.0, 0.0, 0.0]], sigma=50.0)
+            observer.stage(np.zeros(3), **more)
+    with pytest.raises(InfeasibleError, match="largest feasible decay"):
+        observed([[1.0, 0.0, 0.0]], decay=25.0)

@@ -8,10 +8,10 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from pointpred_observers.unknown_input.run import UnknownInputSample
 
 from pointpred_observers import Box, ParameterVaryingSystem
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.run import UnknownInputSample
 
 
 def damped(two: bool = False) -> UnknownInputObserver:
@@ -20,7 +20,7 @@ def damped(two: bool = False) -> UnknownInputObserver:
     moving = np.array([[0.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
     c = np.eye(3)[[0, 2]] if two else np.eye(1, 3)
     system = ParameterVaryingSystem(lambda p: a + p["k"] * moving, [[1.0], [0.0], [0.0]], c)
-    return UnknownInputObserver.design(system, Box({"k": (0.0, 1.0)}), 1.0, output_rate=10.0)
+    return UnknownInputObserver.design(system, Box({"k": (0.0, 1.0)}), 0.5, output_decay=10.0)
 
 
 def samples_of(observer: UnknownInputObserver, count: int, k: Any) -> list[UnknownInputSample]:
@@ -38,10 +38,10 @@ def test_a_step_costs_tens_of_microseconds_while_the_schedule_rests(two: bool) -
     given = samples_of(observer, 200, lambda x: {"k": 0.5})
     costs = []
     for _ in range(5):
-        observer.start(np.zeros(3))
+        stage = observer.stage(np.zeros(3))
         began = process_time()
         for sample in given:
-            observer.update(sample)
+            stage.update(sample)
         costs.append((process_time() - began) / len(given))
     assert min(costs) < 150e-6
 
@@ -53,12 +53,10 @@ def test_a_schedule_that_rests_gives_the_numbers_of_one_that_moves(two: bool) ->
 
     def run(k: Any, width: float) -> list[Any]:
         """Estimates with ``width`` added to the schedule by halves, so that it moves in each interval."""
-        observer.start(np.array([0.0, 1.0, -1.0]))
+        stage = observer.stage([0.0, 1.0, -1.0])
         given = samples_of(observer, 40, None)
         return [
-            observer.update(
-                msgspec.structs.replace(one, schedule=lambda x, i=i: {"k": k(x) + width * (i % 2)})
-            )
+            stage.update(msgspec.structs.replace(one, schedule=lambda x, i=i: {"k": k(x) + width * (i % 2)}))
             for i, one in enumerate(given)
         ]
 

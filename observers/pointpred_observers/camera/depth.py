@@ -25,13 +25,13 @@ LARGEST_RATE = 1e3
 
 
 class Settings(Layout):
-    """Focal length, half of sigma, start of chi and eta, longest silence; the certificate's box.
+    """Focal length, the design's decay, start of chi and eta, longest silence; the certificate's box.
 
     The box has the bounds, low and high, of the zero of chi, eta, a_z, w_x, w_y.
     """
 
     focal_px: float
-    half_sigma: float
+    decay: float
     start_chi: float
     start_eta: float
     gap_s: float
@@ -155,7 +155,7 @@ def step(
         return t, nan, nan, nan, 0.0, 0.0, 1.0 if image else 0.0
     eta = s.r - wy * flat_x + wx * flat_y
     zero = flat_y * wx - flat_x * wy + eta
-    decays = zero < -settings.half_sigma and eta < -settings.half_sigma
+    decays = zero < -settings.decay and eta < -settings.decay
     proved = inside(memory, zero, eta)
     return t, s.chi, eta, zero, 1.0 if decays else 0.0, 1.0 if proved else 0.0, 1.0 if image else 0.0
 
@@ -164,7 +164,7 @@ class Depth(msgspec.Struct, frozen=True):
     """The observer's estimate after a sample.
 
     ``chi`` = 1/Z 1/m, ``eta`` = v_z/Z 1/s and ``zero`` = y w_x - x w_y + eta 1/s, NaN before the first image
-    and when the estimate is lost; ``detectable`` while both zeros, as estimated, lie below -sigma/2;
+    and when the estimate is lost; ``detectable`` while both zeros, as estimated, lie below -decay;
     ``certified`` while they and the measured quantities lie in the box of the design as well.
     """
 
@@ -202,8 +202,8 @@ class DepthObserver(CameraStage):
     accelerometer is needed. Without an image x and y keep their last values.
 
     Parameters: ``focal_px`` px; ``start_chi`` 1/m and ``start_eta`` 1/s; ``gap_s`` s, the longest silence
-    that is bridged; ``observer``, a design for ``camera_system`` whose sigma and box define the flags:
-    without one sigma is 0 and ``certified`` is false. Memory: 27 floats. Returns a Depth from ``update``,
+    that is bridged; ``observer``, a design for ``camera_system`` whose decay and box define the flags:
+    without one the decay is 0 and ``certified`` is false. Memory: 27 floats. Returns a Depth from ``update``,
     DepthColumns from ``run``. Raises ParameterError; EventError and EventOrderError from ``update`` and
     ``run``.
 
@@ -230,9 +230,9 @@ class DepthObserver(CameraStage):
     layout = Memory
 
     @property
-    def half_sigma(self) -> float:
-        """Half of the design's sigma in 1/s; 0 without one."""
-        return 0.0 if self.observer is None else 0.5 * self.observer.certificate.sigma
+    def decay(self) -> float:
+        """The design's decay in 1/s; 0 without one."""
+        return 0.0 if self.observer is None else self.observer.decay
 
     def settings(self) -> list[float]:
         """The beginning of the memory."""
@@ -241,7 +241,7 @@ class DepthObserver(CameraStage):
             bounds = _camera_bounds(self.observer)
             box = [bound for name in SCHEDULED[:5] for bound in bounds[name]]
         start = [float(self.start_chi), float(self.start_eta)]
-        return [float(self.focal_px), self.half_sigma, *start, float(self.gap_s), *box]
+        return [float(self.focal_px), self.decay, *start, float(self.gap_s), *box]
 
     def update(self, sample: CameraSample, /) -> Depth:
         """Consume one sample; a refused one changes nothing."""

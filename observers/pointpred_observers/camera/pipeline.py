@@ -17,13 +17,13 @@ from pointpred_observers.camera.samples import CameraColumns, CameraSample
 from pointpred_observers.camera.velocity import FED_FORWARD, UnknownInputs, velocities
 
 SURE = 2.0
-"""Standard deviations by which the filter's eta must exceed -sigma/2 to clear ``detectable``."""
+"""Standard deviations by which the filter's eta must exceed -decay to clear ``detectable``."""
 
 
 class CameraEstimate(msgspec.Struct, frozen=True):
     """Estimates after a sample: the observer's depth and velocity, and the Kalman filter's (``peer``).
 
-    ``detectable``: the observer's own zeros lie below -sigma/2 and the filter does not contradict. If it is
+    ``detectable``: the observer's own zeros lie below -decay and the filter does not contradict. If it is
     false the observer's errors do not decay: use ``peer`` if it is not ``None``.
     """
 
@@ -62,7 +62,7 @@ class CameraPipeline:
     """A ``Stage[CameraSample, CameraEstimate]``: the unknown input observer with the filter as a check.
 
     The observer alone cannot distinguish an approaching from a receding camera if it was started with the
-    wrong sign. The filter can, once the images determine the depth: if its eta lies above -sigma/2 by two
+    wrong sign. The filter can, once the images determine the depth: if its eta lies above -decay by two
     standard deviations, ``detectable`` is false whatever the observer's estimate.
 
     Parameters: ``observer``; ``peer``; ``way``, how (x, y)' is computed, one of ``velocity.WAYS``;
@@ -116,7 +116,7 @@ class CameraPipeline:
         return CameraTable(np.array(rows).reshape(-1, len(CameraTable.names)))
 
     def _denied(self, peer: PointEstimate | None) -> bool:
-        return peer is not None and peer.eta - SURE * peer.eta_spread > -self.observer.half_sigma
+        return peer is not None and peer.eta - SURE * peer.eta_spread > -self.observer.decay
 
 
 def _row(one: CameraEstimate) -> tuple[float, ...]:

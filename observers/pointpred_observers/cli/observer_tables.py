@@ -88,7 +88,7 @@ def print_design(design: Observer) -> None:
     screen.print(f"{design.kind} observer" if design.kind != "regulator" else "regulator", style="bold")
     for table in _tables(design, "gap to the best"):
         screen.print(table)
-    for name, matrix in design.gains.items():
+    for name, matrix in design.chosen.items():
         screen.print(f"{name} = {np.array2string(matrix, precision=6, separator=', ')}")
 
 

@@ -12,7 +12,6 @@ import numpy as np
 from pointpred.errors import CertificateError, ParameterError, PointpredError
 from pointpred.files import write_whole
 from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.documents.designs import UnknownInputDocument
 from pointpred_observers.documents.entries import Document, Functions
 from pointpred_observers.documents.plants import (
     GeneratorDocument,
@@ -37,8 +36,8 @@ from pointpred_observers.reduced_order.design import ReducedOrderDocument
 from pointpred_observers.reduced_order.reversed_connection import InvariantDocument
 from pointpred_observers.triangular.interlaced_observer import InterlacedDocument
 from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred_observers.unknown_input.corners import CornerSystem
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.unknown_input.observer import UnknownInputDocument
+from pointpred_observers.unknown_input.system import CornerSystem, ParameterVaryingSystem
 
 FORMAT = "pointpred observers"
 VERSION = 1

@@ -25,7 +25,7 @@ from pointpred_observers.matrices import matrix
 from pointpred_observers.nonlinearity import KNOWN, NAMED, Nonlinearity
 from pointpred_observers.persidskii import NAMES, Persidskii
 from pointpred_observers.unknown_input.boxes import Box
-from pointpred_observers.unknown_input.corners import CornerSystem
+from pointpred_observers.unknown_input.system import CornerSystem
 
 Time = Literal["continuous", "discrete"]
 Pairs = list[tuple[float | None, float | None]]

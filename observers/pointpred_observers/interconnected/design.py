@@ -88,7 +88,7 @@ class DrivenObserver(Observer, msgspec.Struct, frozen=True):
         return {"": self.values["P"]}
 
     @property
-    def gains(self) -> dict[str, FloatArray]:
+    def chosen(self) -> dict[str, FloatArray]:
         """The gain."""
         return {"M": self.gain}
 

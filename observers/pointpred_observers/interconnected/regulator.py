@@ -99,7 +99,7 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
         return {"observer: ": self.observer.values["P"], "feedback: ": self.feedback.certificate.P}
 
     @property
-    def gains(self) -> dict[str, FloatArray]:
+    def chosen(self) -> dict[str, FloatArray]:
         """Of the observer, and of the feedback."""
         return {"G": self.observer.gain, "L0": self.feedback.L0}
 

@@ -164,7 +164,7 @@ T7d camera_depth_step(camera_depth_Memory * memory, T9d sample) {
   }
   eta = s->r - wy * flat_x + wx * flat_y;
   zero = flat_y * wx - flat_x * wy + eta;
-  decays = zero < -settings->half_sigma && eta < -settings->half_sigma;
+  decays = zero < -settings->decay && eta < -settings->decay;
   proved = camera_depth_inside(memory, zero, eta);
   return (T7d){t, s->chi, eta, zero, decays ? 1.0 : 0.0, proved ? 1.0 : 0.0, image ? 1.0 : 0.0};
 }

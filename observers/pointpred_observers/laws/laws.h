@@ -121,7 +121,7 @@ typedef struct {
 } camera_depth_State;
 typedef struct {
   double focal_px;
-  double half_sigma;
+  double decay;
   double start_chi;
   double start_eta;
   double gap_s;
@@ -283,6 +283,9 @@ double regressors_gradient_steepness(Table d, Table gain);
 int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out);
 bool regressors_gradient_usable(regressors_gradient_Memory * memory, Vector row);
 static inline void stage_learn_nothing(Vector memory);
+void unknown_input_stage_estimated(Vector block, Table ends, double s, Table space);
+bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block);
+void unknown_input_stage_push(Vector block, Table c, Table ends, double s, int64_t part, double h, Table space);
 static const int64_t nonlinearity_ATAN = 3;
 static const int64_t nonlinearity_CUBE = 5;
 static const int64_t nonlinearity_SATURATION = 4;

@@ -1698,6 +1698,88 @@ static PyObject *py_regressors_gradient_usable(PyObject *self, PyObject *const *
   let_go(&held);
   return PyBool_FromLong(result);
 }
+static PyObject *py_unknown_input_stage_estimated(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.unknown_input.stage:estimated";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  double a2;
+  Table a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "block", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "ends", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[2], &a2)
+        && take_array(&held, args[3], law, "space", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS unknown_input_stage_estimated(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_unknown_input_stage_mix(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.unknown_input.stage:mix";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  Vector a2;
+  Vector a3;
+  Vector a4;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "corners", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "axes", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "axes", a1.m, 2)
+        && take_array(&held, args[2], law, "p", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "weights", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "block", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = unknown_input_stage_mix(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_unknown_input_stage_push(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.unknown_input.stage:push";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  Table a2;
+  double a3;
+  int64_t a4;
+  double a5;
+  Table a6;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "block", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "c", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "ends", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[3], &a3)
+        && take_int64_t(args[4], &a4)
+        && take_double(args[5], &a5)
+        && take_array(&held, args[6], law, "space", 'd', 2, true, &view)
+        && (a6 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS unknown_input_stage_push(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyMethodDef methods[] = {
   {"pointpred_observers.camera.camera_stage:sample_at", (PyCFunction)(void (*)(void))py_camera_camera_stage_sample_at, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.camera_stage:usable", (PyCFunction)(void (*)(void))py_camera_camera_stage_usable, METH_FASTCALL, NULL},
@@ -1751,6 +1833,9 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.regressors.gradient:steepness", (PyCFunction)(void (*)(void))py_regressors_gradient_steepness, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:step", (PyCFunction)(void (*)(void))py_regressors_gradient_step, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:usable", (PyCFunction)(void (*)(void))py_regressors_gradient_usable, METH_FASTCALL, NULL},
+  {"pointpred_observers.unknown_input.stage:estimated", (PyCFunction)(void (*)(void))py_unknown_input_stage_estimated, METH_FASTCALL, NULL},
+  {"pointpred_observers.unknown_input.stage:mix", (PyCFunction)(void (*)(void))py_unknown_input_stage_mix, METH_FASTCALL, NULL},
+  {"pointpred_observers.unknown_input.stage:push", (PyCFunction)(void (*)(void))py_unknown_input_stage_push, METH_FASTCALL, NULL},
   {NULL, NULL, 0, NULL},
 };
 extern const char digest_of_laws[];

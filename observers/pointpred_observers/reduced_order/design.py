@@ -64,7 +64,8 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
     @property
     def plant(self) -> Persidskii:
         """The plant."""
-        return self.observer.plant
+        plant: Persidskii = self.observer.plant
+        return plant
 
     @property
     def margins(self) -> dict[str, float]:
@@ -82,7 +83,7 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
         return {"": self.certificate.values["P"]}
 
     @property
-    def gains(self) -> dict[str, FloatArray]:
+    def chosen(self) -> dict[str, FloatArray]:
         """Upsilon."""
         return {"Upsilon": self.Upsilon}
 
@@ -225,7 +226,7 @@ class ReducedOrderDocument(InvariantDocument, tag="reduced-order observer", froz
         shapes = dict.fromkeys(("P", "Xi", "Gamma" if discrete else "W"), (q, q))
         values = matrices_of(self.certificate, shapes, ("alpha" if discrete else "gamma",), optional=("W",))
         convergence = certified_convergence(observer, values, gap_of(self.certificate_gap, "certificate_gap"))
-        return ReducedOrderObserver(observer, observer.gains["Upsilon"], convergence, gap_of(self.gap))
+        return ReducedOrderObserver(observer, observer.chosen["Upsilon"], convergence, gap_of(self.gap))
 
 
 def _turned(plant: Persidskii, decay: float) -> FloatArray | None:

@@ -183,7 +183,7 @@ class InvariantObserver(Observer):
         return np.asarray(onto @ np.asarray(w, np.float64) + straight @ np.atleast_1d(y))
 
     @property
-    def gains(self) -> dict[str, FloatArray]:
+    def chosen(self) -> dict[str, FloatArray]:
         """Upsilon at the start."""
         return {"Upsilon": self._maps(0.0)[2]}
 

@@ -1,9 +1,8 @@
-"""Parameter-varying plants with unknown inputs beside their observers."""
+"""The scheduling variables of a simulation, and the matrices of a parameter-varying plant there."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import partial
 from math import isfinite
 from typing import Any
 
@@ -12,56 +11,15 @@ import numpy as np
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.matrices import instance
-from pointpred_observers.simulations.result import Simulation
-from pointpred_observers.simulations.signals import Setting, run, sampled
-from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.run import RunningUnknownInputObserver, UnknownInputSample
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
+from pointpred_observers.unknown_input.boxes import Box, Point
+from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 
-def unknown_inputs(observer: UnknownInputObserver, plant: Any, setting: Setting) -> Simulation:
-    """An unknown-input observer, whose scheduling variables may depend on the state."""
-    system = instance("plant", plant, ParameterVaryingSystem)
-    known = observer.system
-    if system.c.shape != known.c.shape or system.time != known.time:
-        raise ParameterError(
-            f"the observer was designed for C of shape {known.c.shape} in {known.time} time, received a "
-            f"plant of shape {system.c.shape} in {system.time} time",
-            field="plant",
-        )
-    n, discrete = system.c.shape[1], system.time == "discrete"
-    times, start = setting.samples(discrete), setting.begin(n)
-    schedule = _schedule(setting.schedule, observer)
-    width = _matrices(system, schedule(float(times[0]), start))[1].shape[1]
-    b, d = setting.signal("input", n), setting.signal("unknown_input", width)
-    shake = setting.signal("disturbance", n)
-
-    def field(t: float, x: FloatArray) -> FloatArray:
-        a, f = _matrices(system, schedule(t, x))
-        change: FloatArray = a @ x + b(t) + f @ d(t) + shake(t)
-        return change
-
-    state = run(field, start, times, discrete)
-    outputs = setting.measured(state @ system.c.T)
-    running = RunningUnknownInputObserver(observer, setting.begin(n, "estimate", 0.0))
-    inputs, unknown = sampled(b, times), sampled(d, times)
-    estimate, found = np.empty_like(state), np.full_like(unknown, np.nan)
-    for i, t in enumerate(times.tolist()):
-        answer = running.update(UnknownInputSample(t, outputs[i], inputs[i], partial(schedule, t)))
-        estimate[i], found[i] = answer.x, answer.d
-    none = np.zeros((len(times), 0))
-    return Simulation(
-        times, state, estimate, outputs, inputs, tuple(f"x{i + 1}" for i in range(n)),
-        "unknown-input observer", discrete, unknown, found, none, none, np.zeros(0),
-    )  # fmt: skip
-
-
-def _schedule(given: Any, observer: UnknownInputObserver) -> Callable[[float, FloatArray], Point]:
+def schedule_of(given: Any, box: Box) -> Callable[[float, FloatArray], Point]:
     """The scheduling variables as a function of t and x; the middle of the box where nothing is given."""
-    names = observer.box.names
+    names = box.names
     if given is None:
-        given = {name: 0.5 * (low + high) for name, (low, high) in observer.box.bounds.items()}
+        given = {name: 0.5 * (low + high) for name, (low, high) in box.bounds.items()}
     if not (callable(given) or isinstance(given, Mapping)):
         raise ParameterError(
             f"schedule must be a dict of {', '.join(names)} or a function of t and x, received {given!r:.60}",
@@ -118,7 +76,7 @@ def _point(given: Any, names: tuple[str, ...], t: float) -> Point:
     return {name: float(value) for name, value in point.items()}
 
 
-def _matrices(system: ParameterVaryingSystem, point: Point) -> tuple[FloatArray, FloatArray]:
+def matrices_at(system: ParameterVaryingSystem, point: Point) -> tuple[FloatArray, FloatArray]:
     """A and F at a point; raises ParameterError for a variable of the plant that the schedule lacks."""
     try:
         return system.a(point), system.f(point)

@@ -272,7 +272,7 @@ class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
         return {"": self.certificate.P}
 
     @property
-    def gains(self) -> dict[str, FloatArray]:
+    def chosen(self) -> dict[str, FloatArray]:
         """The gain."""
         return {"L": np.asarray(self.certificate.L)}
 

@@ -1,21 +1,34 @@
-"""Boxes of scheduling variables: their vertices, and the multilinear weights of a point among them."""
+"""Boxes of scheduling variables, and matrices that are affine in each variable over them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from itertools import product
 from math import isfinite
+from typing import Any
 
 import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
+from pointpred_observers import equalities
+from pointpred_observers.matrices import matrix
 
+Point = Mapping[str, float]
+Scheduled = Callable[[Point], FloatArray]
+"""A matrix as a function of the scheduling variables."""
 AXES_MOST = 12
 """Most axes of nonzero width: each doubles the number of vertices."""
 BORDER = 1e-9
 """Fraction of the width by which a point may lie outside and still count as on the border."""
+NO_DIFFERENCE = 1e-9
+"""A difference below this share of the largest value of the same entry counts as none."""
+CANCELLED = 4.0 * equalities.REMAINDER
+"""The same beside the terms of a computed entry: one below ``equalities.REMAINDER`` of them may have been set
+to zero at any of the points."""
+POINTS = 16
+SEED = 20211217
 
 
 class Box:
@@ -63,11 +76,16 @@ class Box:
         ends = [(low,) if low == high else (low, high) for low, high in self.bounds.values()]
         return np.array(list(product(*ends)))
 
+    @property
+    def corners(self) -> list[dict[str, float]]:
+        """The vertices as points."""
+        return [self.named(vertex) for vertex in self.vertices]
+
     def named(self, point: FloatArray) -> dict[str, float]:
         """A row of ``vertices`` with the names of its variables."""
         return dict(zip(self.names, map(float, point), strict=True))
 
-    def outside(self, point: Mapping[str, float]) -> list[str]:
+    def outside(self, point: Point) -> list[str]:
         """The variables whose values lie outside their intervals, or are NaN."""
         names = []
         for name, (low, high) in self.bounds.items():
@@ -76,7 +94,7 @@ class Box:
                 names.append(name)
         return names
 
-    def nearest(self, point: Mapping[str, float]) -> dict[str, float]:
+    def nearest(self, point: Point) -> dict[str, float]:
         """The point of the box that is nearest on each axis; raises ParameterError for NaN."""
         place = {}
         for name, (low, high) in self.bounds.items():
@@ -86,7 +104,7 @@ class Box:
             place[name] = min(max(value, low), high)
         return place
 
-    def weights(self, point: Mapping[str, float]) -> FloatArray:
+    def weights(self, point: Point) -> FloatArray:
         """The weight of each vertex at a point; raises ParameterError for a point outside."""
         for name in self.outside(point):
             low, high = self.bounds[name]
@@ -102,7 +120,12 @@ class Box:
                 shares = np.outer(shares, (1.0 - up, up)).ravel()
         return shares
 
-    def _value(self, point: Mapping[str, float], name: str) -> float:
+    def mixed(self, matrices: FloatArray, point: Point) -> FloatArray:
+        """The matrix at a point of the box from those at its vertices, (vertices, rows, columns)."""
+        mixed: FloatArray = np.tensordot(self.weights(point), matrices, 1)
+        return mixed
+
+    def _value(self, point: Point, name: str) -> float:
         if name not in point:
             raise ParameterError(f"a point needs {', '.join(self.names)}, received {', '.join(point)}")
         return point[name]
@@ -120,3 +143,81 @@ def _interval(name: str, pair: tuple[float, float]) -> tuple[float, float]:
     if low > high:
         raise ParameterError(f"{name} needs low <= high, received {pair!r}", field=name, value=pair)
     return float(low), float(high)
+
+
+def scheduled(name: str, given: Any) -> Scheduled:
+    """A matrix as a function of the scheduling variables; an array is the same everywhere.
+
+    Raises ParameterError for what is neither a function nor a matrix.
+
+    >>> scheduled("A", [[0.0, 1.0]])({}).tolist()
+    [[0.0, 1.0]]
+    """
+    if callable(given):
+        function: Scheduled = given
+        return function
+    constant = matrix(name, given)
+    return lambda point: constant
+
+
+def at_vertices(function: Scheduled, box: Box, name: str, terms: Scheduled | None = None) -> FloatArray:
+    """A matrix at each vertex of a box, which must be affine in each variable, (vertices, rows, columns).
+
+    A proof at the vertices covers no other matrix. The function is compared with what its vertices give in
+    the middle of the box and at random points; a difference elsewhere is not noticed. Each entry is compared
+    by its own size, so that none hides behind larger ones. ``terms``: for a function that is itself computed,
+    the sizes of the terms of its entries. Raises ParameterError.
+
+    >>> box = Box({"a": (0.0, 1.0), "b": (-1.0, 1.0)})
+    >>> at_vertices(lambda p: np.array([[p["a"] * p["b"]]]), box, "A").ravel().tolist()
+    [-0.0, 0.0, -1.0, 1.0]
+    >>> at_vertices(lambda p: np.array([[p["a"] ** 2]]), box, "A")
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: A must be affine in each variable; it is off by 0.25 in row 1, column \
+1: make an expression that is not a variable of its own, and 0 of what is only rounding
+    """
+    found, inside = np.array([function(point) for point in box.corners]), samples(box)
+    values = np.array([function(point) for point in inside])
+    beside = None if terms is None else np.array([terms(point) for point in box.corners + inside])
+    place = difference(np.array([box.mixed(found, point) for point in inside]), values, found, beside)
+    if place is not None:
+        row, column, error = place
+        raise ParameterError(
+            f"{name} must be affine in each variable; it is off by {error:.3g} in row {row + 1}, "
+            f"column {column + 1}: make an expression that is not a variable of its own, and 0 of "
+            "what is only rounding",
+            field=name,
+        )
+    return found
+
+
+def samples(box: Box) -> list[dict[str, float]]:
+    """The middle of a box and points that are spread in it, the same every time."""
+    lows, highs = np.array(list(box.bounds.values())).T
+    random = np.random.default_rng(SEED)
+    shares = np.vstack([np.full(len(lows), 0.5), random.uniform(size=(POINTS, len(lows)))])
+    return [box.named(lows + share * (highs - lows)) for share in shares]
+
+
+def difference(
+    left: FloatArray, right: FloatArray, more: FloatArray, terms: FloatArray | None
+) -> tuple[int, int, float] | None:
+    """The row and the column where two lists of matrices differ by more than rounding, and by how much.
+
+    An entry is compared with its own largest value, also over the matrices ``more``, and with the largest of
+    its ``terms``. ``None`` if all are equal.
+
+    >>> one, other = np.array([[[1e6, 1e-6]]]), np.array([[[1e6, 2e-6]]])
+    >>> difference(one, other, one, None)
+    (0, 1, 1e-06)
+    """
+    sizes = np.abs(np.concatenate([left, right, more])).max(axis=0)
+    allowed = NO_DIFFERENCE * sizes + (0.0 if terms is None else CANCELLED * np.abs(terms).max(axis=0))
+    error = np.abs(left - right).max(axis=0)
+    wrong = ~(error <= allowed)
+    if not wrong.any():
+        return None
+    with np.errstate(all="ignore"):
+        share = np.where(wrong, error / sizes, -1.0)
+    row, column = np.unravel_index(int(np.nan_to_num(share, nan=np.inf).argmax()), share.shape)
+    return int(row), int(column), float(error[row, column])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
@@ -51,10 +51,6 @@ class InputReconstruction:
         self._d: FloatArray | None = None
         self._y, self._covariance = np.zeros(self.outputs), np.zeros((0, 0))
         self._latest_inverse: tuple[bytes, FloatArray | None] = b"", None
-
-    def fresh(self) -> Self:
-        """The same parameters without memory."""
-        return type(self)(self.outputs, self.time, noise=self.noise, density=self.density)
 
     @property
     def latest(self) -> FloatArray | None:

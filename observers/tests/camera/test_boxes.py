@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.errors import ParameterError
-from pointpred_observers.unknown_input.boxes import Box
-from pointpred_observers.unknown_input.takagi_sugeno import TakagiSugeno
+from pointpred_observers.unknown_input.boxes import Box, at_vertices
 
 number = st.floats(-100.0, 100.0)
 axis = st.tuples(number, st.one_of(st.just(0.0), st.floats(0.01, 50.0)))
@@ -70,17 +69,12 @@ def test_a_model_reproduces_a_multilinear_matrix_anywhere_in_the_box() -> None:
         a, b, c = p["a"], p["b"], p["c"]
         return np.tensordot([1.0, a, b, c, a * b, a * c, b * c, a * b * c], parts, 1)
 
-    model = TakagiSugeno.of(matrix, box)
+    model = at_vertices(matrix, box, "A")
     for share in random.uniform(size=(20, 2)):
         point = {"a": -1.0 + 3.0 * share[0], "b": 0.5, "c": 3.0 + share[1]}
-        np.testing.assert_allclose(model.at(point), matrix(point), rtol=1e-12, atol=1e-12)
+        np.testing.assert_allclose(box.mixed(model, point), matrix(point), rtol=1e-12, atol=1e-12)
 
 
-def test_a_model_refuses_what_is_not_multilinear_or_not_finite() -> None:
-    box = Box({"a": (0.0, 1.0)})
+def test_what_is_not_multilinear_is_refused() -> None:
     with pytest.raises(ParameterError, match="Gamma must be affine in each variable"):
-        TakagiSugeno.of(lambda p: np.array([[np.sin(p["a"])]]), box, "Gamma")
-    with pytest.raises(ParameterError, match="needs 2 matrices"):
-        TakagiSugeno(box, np.zeros((3, 1, 1)))
-    with pytest.raises(ParameterError, match="finite"):
-        TakagiSugeno(box, np.full((2, 1, 1), np.nan))
+        at_vertices(lambda p: np.array([[np.sin(p["a"])]]), Box({"a": (0.0, 1.0)}), "Gamma")

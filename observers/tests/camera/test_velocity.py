@@ -122,7 +122,7 @@ def test_an_unknown_way_is_refused() -> None:
 @cache
 def design() -> UnknownInputObserver:
     bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (0.0, 0.0)}
-    return UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **bounds), 0.01)
+    return UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **bounds), 0.005)
 
 
 def pipeline(eta: float) -> CameraPipeline:

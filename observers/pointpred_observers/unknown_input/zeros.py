@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,7 +9,6 @@ from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.balance import balanced, inward
 from pointpred_observers.equalities import without_rounding
-from pointpred_observers.matrices import matrix
 
 RELATIVE = 1e-9
 """Singular values below this share of the largest count as zero."""
@@ -58,32 +55,6 @@ def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
             break
         basis = basis @ staying
     return basis
-
-
-def invariant_zeros(a: Any, f: Any, c: Any) -> NDArray[np.complex128]:
-    """The invariant zeros of x' = A x + F d, y = C x, where d is unknown.
-
-    Assumes rank(C F) = rank(F) = columns of F, so that d can be decoupled; raises ParameterError otherwise.
-    Rank decisions are made at 1e-9: zeros of nearly cancelling systems may be found or missed.
-
-    The zeros are the values s where [[A - s I, F], [C, 0]] loses rank: the eigenvalues of T A on its
-    unobservable subspace, T = I - F (C F)^+ C. No gain moves them: errors in those modes decay or grow at
-    these rates.
-
-    Parameters: matrices of n x n, n x m, p x n. Returns the zeros, complex, the slowest first.
-
-    Reference: Darouach, Zasadzinski, Xu 1994, theorem 2; the pencil is Rosenbrock's.
-
-    >>> a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0], [0.0, 1.0, -2.0]])
-    >>> f, c = np.array([[1.0], [0.0], [0.0]]), np.array([[1.0, 0.0, 0.0]])
-    >>> invariant_zeros(a, f, c).real.tolist()
-    [0.0, -2.0]
-    """
-    drift = matrix("A", a)
-    n = len(drift)
-    drift, inputs, outputs = matrix("A", a, n, n), matrix("F", f, n), matrix("C", c, None, n)
-    t = decoupling(inputs, outputs)
-    return fixed_modes(without_rounding(t @ drift, np.abs(t) @ np.abs(drift)), outputs)
 
 
 def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
