@@ -22,7 +22,7 @@ from pointpred_observers import (
     trajectory,
 )
 from pointpred_observers.documents.files import decoded, encoded
-from pointpred_observers.error_systems.h_infinity import h_infinity
+from pointpred_observers.error_systems.l2_gain import h_infinity
 from pointpred_observers.error_systems.system import sloped_system
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
 from pointpred_observers.interconnected.regulator import Regulator

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from pointpred_observers import Persidskii
+from pointpred_observers.equalities import NO_DIGIT, without_rounding
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
-from pointpred_observers.rounding import NO_DIGIT, without_rounding
 
 
 def tanks(coupling: float = 0.0) -> Persidskii:

@@ -17,9 +17,9 @@ from pointpred.errors import (
 from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates, balanced, inward, outward
 from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.detectability import require_detectable, vertices
 from pointpred_observers.documents.entries import Functions, Values, finite, gap_of, matrices_of, plain
-from pointpred_observers.equalities import TOLERANCE
+from pointpred_observers.eigenvalues import require_detectable, vertices
+from pointpred_observers.equalities import NO_DIGIT, TOLERANCE, without_rounding
 from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.linear_systems import Plant, as_plant
@@ -36,7 +36,6 @@ from pointpred_observers.reduced_order.reversed_connection import (
     InvariantObserver,
 )
 from pointpred_observers.reduced_order.upsilon import InjectionSearch, Split, split
-from pointpred_observers.rounding import NO_DIGIT, without_rounding
 from pointpred_observers.search import least_in_both, outward_all
 from pointpred_observers.simulations.persidskii import like, same
 from pointpred_observers.simulations.result import Simulation

@@ -10,11 +10,11 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
+from pointpred_observers.equalities import NO_DIGIT, without_rounding
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.matrices import matrix
 from pointpred_observers.persidskii import Persidskii
 from pointpred_observers.reduced_order.reversed_certificate import lipschitz, symmetric
-from pointpred_observers.rounding import NO_DIGIT, without_rounding
 from pointpred_observers.stationary import cover, filter_start, middle
 
 
@@ -77,7 +77,7 @@ def _product(*factors: FloatArray) -> FloatArray:
 
 
 class InjectionSearch(msgspec.Struct, frozen=True):
-    """The search for an Upsilon such that one P proves the decay within the slopes: linear in P and P Upsilon.
+    """The search for an Upsilon such that one P proves the decay: linear in P and U = P Upsilon.
 
     V' <= -``rate`` V (V+ <= exp(-``rate``) V in discrete time).
     """
@@ -101,7 +101,7 @@ class InjectionSearch(msgspec.Struct, frozen=True):
         )
         solution = problem.solve(minimise=lambda v: v.size, near=self._start())
         values = solution.values
-        proof = {name: values[name] for name in ("P", "W", "alpha") if name in values}
+        proof: dict[str, Any] = {name: one for name, one in values.items() if name in ("P", "W", "alpha")}
         upsilon = np.asarray(np.linalg.solve(values["P"], values["U"]))
         return upsilon, np.inf if solution.gap is None else solution.gap, proof
 
@@ -156,11 +156,11 @@ class InjectionSearch(msgspec.Struct, frozen=True):
                 problem.symmetric("W", q)
             for name, corner in self.corners.items():
                 within = corner @ parts.inner
-                problem.above(
-                    f"W - sym(F D J), D = diag({name})",
-                    lambda v, d=within: v.W - symmetric(closed(v, parts.driven, parts.shown) @ d),
-                    strict=False,
-                )
+
+                def sector(v: Any, d: FloatArray = within) -> FloatArray:
+                    return np.asarray(v.W - symmetric(closed(v, parts.driven, parts.shown) @ d))
+
+                problem.above(f"W - sym(F D J), D = diag({name})", sector, strict=False)
 
             def dissipation(v: Any) -> FloatArray:
                 onward = 2.0 * symmetric(closed(v, parts.drift, parts.seen)) + self.rate * v.P

@@ -13,7 +13,7 @@ from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray, FloatTable
-from pointpred_observers import rounding
+from pointpred_observers import equalities
 from pointpred_observers.matrices import matrix
 
 Point = Mapping[str, float]
@@ -25,8 +25,8 @@ BORDER = 1e-9
 """Fraction of the width by which a point may lie outside and still count as on the border."""
 NO_DIFFERENCE = 1e-9
 """A difference below this share of the largest value of the same entry counts as none."""
-CANCELLED = 4.0 * rounding.REMAINDER
-"""The same beside the terms of a computed entry: one below ``rounding.REMAINDER`` of them may have been set
+CANCELLED = 4.0 * equalities.REMAINDER
+"""The same beside the terms of a computed entry: one below ``equalities.REMAINDER`` of them may have been set
 to zero at any of the points."""
 POINTS = 16
 SEED = 20211217

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates, balanced
+from pointpred_observers.equalities import without_rounding
 from pointpred_observers.matrices import TIMES, dimensions, instance, matrix, one_of
-from pointpred_observers.rounding import without_rounding
 from pointpred_observers.unknown_input.boxes import (
     Box,
     Point,
