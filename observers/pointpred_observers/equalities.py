@@ -1,4 +1,4 @@
-"""Equalities of matrices in floating point: what is left of each, as a share of its own terms."""
+"""Equalities in floating point: sums whose terms cancel, and residuals as shares of their own terms."""
 
 from __future__ import annotations
 
@@ -7,10 +7,28 @@ from collections.abc import Callable
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred_observers.rounding import NO_DIGIT, without_rounding
 
 TOLERANCE = 1e-9
 """The largest residual of an equality of computed matrices, as a share of its own terms."""
+
+REMAINDER = 1e-12
+"""An entry below this share of its terms is what rounding left of them."""
+NO_DIGIT = 1e-14
+"""An entry below this share of its terms has no correct digit."""
+
+
+def without_rounding(whole: FloatArray, *terms: FloatArray, share: float = REMAINDER) -> FloatArray:
+    """A sum of ``terms`` with zeros for the entries that are rounding; the sizes of the terms count.
+
+    An entry of 1e-17 that should be 0 would count as a coupling when units are chosen, and as an f that
+    still acts. ``share``: below which share of its terms an entry is rounding.
+
+    >>> first, second = np.array([0.1 + 0.2, 0.5]), np.array([-0.3, 0.5])
+    >>> without_rounding(first + second, first, second).tolist()
+    [0.0, 1.0]
+    """
+    sizes = sum((np.abs(one) for one in terms), np.zeros_like(whole))
+    return np.where(np.abs(whole) <= share * sizes, 0.0, whole)
 
 
 def share_of_terms(

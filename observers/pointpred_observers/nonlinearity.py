@@ -1,9 +1,12 @@
-"""Nonlinearities of Persidskii systems: by name, which compiled stages can evaluate, or any function."""
+"""Nonlinearities of Persidskii systems, by name, which compiled stages can evaluate, or any function.
+
+Whether slopes that a caller states are those of f is checked exactly for a name, by samples for a function.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import atan, inf, sin, tanh
+from math import atan, cos, inf, pi, sin, tanh
 from typing import Any
 
 import msgspec
@@ -12,6 +15,15 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
+
+NARROWER = 1e-12
+"""Slopes may be narrower than the true ones by this share, as when they were printed with all digits."""
+SAMPLED = 1e-9
+"""Differences of a function may violate its slopes by this share of its values."""
+FARTHEST = 100.0
+"""Without a domain a function is sampled up to here."""
+SCALES = 9
+"""At points of as many sizes, down to 1e-4 of the domain, one argument after the other is moved."""
 
 IDENTITY, SIN, TANH, ATAN, SATURATION, CUBE = 0, 1, 2, 3, 4, 5
 
@@ -124,3 +136,128 @@ def intervals(slopes: Any, count: int) -> tuple[tuple[float, float], ...]:
     if np.isnan(pairs).any() or (pairs[:, 0] > pairs[:, 1]).any():
         raise ParameterError(f"slopes need low <= high in each pair, received {slopes!r}")
     return tuple((float(low), float(high)) for low, high in pairs)
+
+
+def true_slopes(code: int, domain: float) -> tuple[float, float]:
+    """The least and the largest slope of a named f within +-``domain``.
+
+    >>> true_slopes(CUBE, 2.0), true_slopes(SATURATION, 0.5), true_slopes(SATURATION, 2.0)
+    ((0.0, 12.0), (1.0, 1.0), (0.0, 1.0))
+    """
+    if code == SIN:
+        return (cos(domain) if domain < pi else -1.0), 1.0
+    if code == TANH:
+        return 1.0 - tanh(domain) ** 2, 1.0
+    if code == ATAN:
+        return 1.0 / (1.0 + domain * domain), 1.0
+    if code == SATURATION:
+        return (1.0 if domain <= 1.0 else 0.0), 1.0
+    if code == CUBE:
+        return 0.0, 3.0 * domain * domain
+    assert code == IDENTITY
+    return 1.0, 1.0
+
+
+def require_slopes(f: Nonlinearity, count: int, arguments: int, domain: float) -> None:
+    """Raise ParameterError where f does not have the slopes that it is said to have within ``domain``.
+
+    A function is sampled: at points of the diagonal, where each component's argument is the same, and at
+    points where one argument after the other moves, which may change no other component. Its values must be
+    ``count`` finite numbers there. Without slopes it is evaluated at 0 only, for their number.
+    """
+    if f.codes is None:
+        _require_samples(f, count, arguments, domain)
+        return
+    for i, (code, (low, high)) in enumerate(zip(f.codes, f.slopes or (), strict=False)):
+        least, most = true_slopes(code, domain)
+        room = NARROWER * max(abs(least), abs(most)) if most < inf else 0.0
+        if low > least + room or high < most - room:
+            where = "everywhere" if domain == inf else f"within {domain:g}"
+            raise ParameterError(
+                f"slopes of f, {NAMED[code]!r}, must hold {where}: its slopes there lie between {least:.6g} "
+                f"and {most:.6g}, received ({low:.6g}, {high:.6g}) for component {i}; pass ({least:.6g}, "
+                f"{most:.6g}) or wider ones, or a smaller domain, the bound of abs(Hx)",
+                field="slopes",
+                value=f.slopes,
+            )
+
+
+def _require_samples(f: Nonlinearity, count: int, arguments: int, domain: float) -> None:
+    if f.slopes is None:
+        _values(f, np.zeros(arguments), count, finite=False)
+        return
+    reach = FARTHEST if domain == inf else domain
+    positive = np.unique(np.concatenate([np.linspace(0.0, 1.0, 41), np.geomspace(1e-4, 1.0, 25)]))
+    points = reach * np.concatenate([-positive[:0:-1], positive])
+    values = np.array([_values(f, np.full(count, s), count) for s in points])
+    steps = np.diff(points)[:, None]
+    lows, highs = np.array(f.slopes).reshape(-1, 2).T
+    change = np.diff(values, axis=0)
+    room = SAMPLED * np.abs(change) + NARROWER * (np.abs(values[1:]) + np.abs(values[:-1]))
+    wrong = (change < lows * steps - room) | (change > highs * steps + room)
+    if wrong.any():
+        i, one = map(int, np.argwhere(wrong)[0])
+        raise ParameterError(
+            f"slopes of f must hold {'everywhere' if domain == inf else f'within {domain:g}'}: between "
+            f"{points[i]:.6g} and {points[i + 1]:.6g} component {one} rises by "
+            f"{change[i, one] / steps[i, 0]:.6g} per unit, received ({lows[one]:.6g}, {highs[one]:.6g}); "
+            "pass wider slopes, or a smaller domain, the bound of abs(Hx)",
+            field="slopes",
+            value=f.slopes,
+        )
+    if count > 1:
+        _require_elementwise(f, count, reach)
+
+
+def _require_elementwise(f: Nonlinearity, count: int, reach: float) -> None:
+    """Raise ParameterError where a component of f changes with the argument of another.
+
+    The corners of the slopes are diagonal matrices, which prove nothing of any other f.
+    """
+    rng = np.random.default_rng(0)
+    for scale in reach * np.geomspace(1.0, 1e-4, SCALES):
+        here, there = scale * rng.uniform(-1.0, 1.0, (2, count))
+        before = _values(f, here, count)
+        for i in range(count):
+            moved = here.copy()
+            moved[i] = there[i]
+            after = _values(f, moved, count)
+            wrong = np.abs(after - before) > NARROWER * (np.abs(after) + np.abs(before))
+            wrong[i] = False
+            if wrong.any():
+                one = int(np.flatnonzero(wrong)[0])
+                raise ParameterError(
+                    f"f must be elementwise where slopes are given: component {one} may depend upon "
+                    f"argument {one} only, but changes from {before[one]:.6g} to {after[one]:.6g} as "
+                    f"argument {i} moves from {here[i]:.6g} to {moved[i]:.6g}; put the mixture into H "
+                    "(and that of components into A1 and C1), or leave out slopes",
+                    field="f",
+                    value=f.slopes,
+                )
+
+
+def _values(f: Nonlinearity, s: FloatArray, count: int, *, finite: bool = True) -> FloatArray:
+    """The values of f at s; raises ParameterError unless they are as many numbers."""
+    needed = f"f must return {count} finite numbers for {len(s)} arguments"
+    shown = s[:1] if (s == s[:1]).all() else s
+    place = f"at arguments of {', '.join(f'{one:.6g}' for one in shown)}"
+    try:
+        with np.errstate(all="ignore"):
+            given: Any = f.function(s.copy())
+            received = np.asarray(given)
+            if np.iscomplexobj(received):
+                raise TypeError("its values are complex")
+            values = np.asarray(received, np.float64)
+    except ArithmeticError as failure:
+        if not finite:  # f need not be defined at 0 where nothing is said of its slopes
+            return np.zeros(count)
+        raise ParameterError(f"{needed}; {place} it fails: {failure}", field="f") from failure
+    except (TypeError, ValueError, IndexError) as failure:
+        raise ParameterError(f"{needed}; {place} it fails: {failure}", field="f") from failure
+    if values.shape != (count,):
+        raise ParameterError(
+            f"{needed}; {place} its values have the shape {values.shape}, need ({count},)", field="f"
+        )
+    if finite and not np.isfinite(values).all():
+        raise ParameterError(f"{needed}; {place} it returns {values.tolist()}", field="f", value=s.tolist())
+    return values

@@ -11,8 +11,7 @@ from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.matrices import TIMES, dimensions, matrix, one_of
-from pointpred_observers.nonlinearity import Nonlinearity, nonlinearity
-from pointpred_observers.slopes import require_slopes
+from pointpred_observers.nonlinearity import Nonlinearity, nonlinearity, require_slopes
 
 NAMES = ("A0", "A1", "H", "B", "Q", "C0", "C1")
 

@@ -15,7 +15,6 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, UndecidedError
 from pointpred_observers.balance import Coordinates
-from pointpred_observers.inequalities.audit import answer_of_a_search
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.inequalities.unknowns import Block
 
@@ -58,8 +57,14 @@ def search(
         found = now.problem.solve(minimise=now.minimise, near=now.near)
         v = SimpleNamespace(**found.values)
         matrices = {**found.values, **{name: function(v) for name, function in now.functions.items()}}
-        with answer_of_a_search():
+        try:
             return audited(outward_all(matrices, now.units), np.inf if found.gap is None else found.gap)
+        except (CertificateError, np.linalg.LinAlgError) as failure:
+            # They passed in the units of the search: a CertificateError is for matrices of others.
+            raise UndecidedError(
+                f"{failure}; the matrices of this design lie too close to the edge for the arithmetic, which "
+                "proves nothing: require less decay, or measure more states"
+            ) from failure
 
     return least_in_both(units, attempt, size)
 

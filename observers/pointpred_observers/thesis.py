@@ -1,13 +1,18 @@
 """Theorems, assumptions and equations of the sources by their numbers, for researchers who check them."""
 
-from pointpred_observers.detectability import undetectable
+from pointpred_observers.eigenvalues import undetectable
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, check
-from pointpred_observers.interconnected.assumptions import assumption_3_2_3, assumption_3_2_6
-from pointpred_observers.interconnected.incremental import assumption_3_2_2
+from pointpred_observers.interconnected.assumptions import (
+    assumption_1_3_1,
+    assumption_3_2_2,
+    assumption_3_2_3,
+    assumption_3_2_6,
+    remark_3_2_2,
+)
 from pointpred_observers.interconnected.interconnection import theorem_3_2_1
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
+from pointpred_observers.interconnected.regulated import SectorBounds, sector_bounds
 from pointpred_observers.interconnected.regulator_equations import regulator_equations
-from pointpred_observers.interconnected.sector import SectorBounds, sector_bounds
 from pointpred_observers.interconnected.state_feedback import design_state_feedback
 from pointpred_observers.interconnected.steady_state import residuals
 from pointpred_observers.interconnected.tracking import (
@@ -30,6 +35,7 @@ __all__ = [
     "MatrixInequalities",
     "PersidskiiStage",
     "SectorBounds",
+    "assumption_1_3_1",
     "assumption_3_2_2",
     "assumption_3_2_3",
     "assumption_3_2_6",
@@ -44,6 +50,7 @@ __all__ = [
     "regression_margin",
     "regulator_equations",
     "regulator_stage",
+    "remark_3_2_2",
     "residuals",
     "sector_bounds",
     "theorem_3_2_1",

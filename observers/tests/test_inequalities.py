@@ -18,12 +18,10 @@ from pointpred.errors import (
     UndecidedError,
 )
 from pointpred_observers.inequalities import matrix_inequalities
-from pointpred_observers.inequalities.affine import Affine, scaled
+from pointpred_observers.inequalities.affine import Affine, largest_margin, reach, scaled
 from pointpred_observers.inequalities.audit import Inequalities
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.inequalities.proof import largest_margin, reach
-from pointpred_observers.inequalities.rescaling import rescaled
-from pointpred_observers.inequalities.solver import CAP, Answer, run
+from pointpred_observers.inequalities.solver import CAP, Answer, rescaled, run
 
 
 def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:

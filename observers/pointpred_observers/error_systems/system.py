@@ -14,8 +14,7 @@ from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates
-from pointpred_observers.detectability import vertices
-from pointpred_observers.eigenvalues import require_decay
+from pointpred_observers.eigenvalues import require_decay, vertices
 from pointpred_observers.matrices import TIMES, dimensions, instance, listed, matrix, one_of, positive
 
 

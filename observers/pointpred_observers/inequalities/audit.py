@@ -5,13 +5,12 @@ The functions of a problem are evaluated at the matrices. Needs no solver.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from typing import Any, Self
 
 import numpy as np
 
-from pointpred.errors import CertificateError, ParameterError, UndecidedError
+from pointpred.errors import CertificateError, ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.equalities import allowed
@@ -22,21 +21,6 @@ KAPPA = 1e12
 """Largest condition number of a matrix that is declared positive."""
 WEAK = 1e-12
 """An inequality that need not be strict may fail by this share of its terms."""
-
-
-@contextmanager
-def answer_of_a_search() -> Iterator[None]:
-    """Raise UndecidedError, with what to do, where matrices that a design computed fail their own audit.
-
-    They passed in balanced units, so that rounding decides; a CertificateError is for matrices of others.
-    """
-    try:
-        yield
-    except (CertificateError, np.linalg.LinAlgError) as failure:
-        raise UndecidedError(
-            f"{failure}; the matrices of this design lie too close to the edge for the arithmetic, which "
-            "proves nothing: require less decay, or measure more states"
-        ) from failure
 
 
 class Inequalities:

@@ -23,11 +23,19 @@ from pointpred.errors import (
     UndecidedError,
 )
 from pointpred.records import FloatArray
-from pointpred_observers.inequalities.affine import Affine, capped, relaxing, released, scaled
+from pointpred_observers.inequalities.affine import (
+    ENTIRE,
+    Affine,
+    capped,
+    largest_margin,
+    least_objective,
+    reach,
+    relaxing,
+    released,
+    scaled,
+)
 from pointpred_observers.inequalities.audit import Inequalities
-from pointpred_observers.inequalities.proof import ENTIRE, largest_margin, least_objective, reach
-from pointpred_observers.inequalities.rescaling import rescaled
-from pointpred_observers.inequalities.solver import CAP, Answer, run
+from pointpred_observers.inequalities.solver import CAP, Answer, rescaled, run
 from pointpred_observers.inequalities.unknowns import Block
 
 EASY = 1e8

@@ -12,7 +12,6 @@ from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates, inward
 from pointpred_observers.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
-from pointpred_observers.detectability import require_detectable
 from pointpred_observers.documents.entries import (
     Document,
     Functions,
@@ -25,7 +24,8 @@ from pointpred_observers.documents.entries import (
     plain,
 )
 from pointpred_observers.documents.plants import GeneratorDocument, PlantDocument
-from pointpred_observers.equalities import TOLERANCE
+from pointpred_observers.eigenvalues import require_detectable
+from pointpred_observers.equalities import TOLERANCE, without_rounding
 from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
 from pointpred_observers.inequalities.definite import solved
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
@@ -39,7 +39,6 @@ from pointpred_observers.linear_systems import Plant, as_plant
 from pointpred_observers.matrices import dimensions, instance, matrix, positive, vector
 from pointpred_observers.observer import Observer
 from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.rounding import without_rounding
 from pointpred_observers.search import Posed, search
 from pointpred_observers.simulations.persidskii import (
     UNUSED,

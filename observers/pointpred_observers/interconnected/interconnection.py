@@ -13,7 +13,7 @@ import numpy as np
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates, balanced, inward
-from pointpred_observers.detectability import vertices
+from pointpred_observers.eigenvalues import vertices
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
 from pointpred_observers.linear_systems import Plant, as_plant

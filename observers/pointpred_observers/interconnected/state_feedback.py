@@ -11,8 +11,8 @@ import numpy as np
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates, balanced, inward
-from pointpred_observers.detectability import undetectable, vertices
-from pointpred_observers.eigenvalues import number_text
+from pointpred_observers.eigenvalues import number_text, undetectable, vertices
+from pointpred_observers.equalities import NO_DIGIT, without_rounding
 from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
 from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
 from pointpred_observers.inequalities.definite import solved
@@ -20,7 +20,6 @@ from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred_observers.linear_systems import Plant, as_plant
 from pointpred_observers.matrices import matrix, positive
 from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.rounding import NO_DIGIT, without_rounding
 from pointpred_observers.search import Posed, search
 
 ROOM = 1.01

@@ -18,8 +18,7 @@ from pointpred_observers.interconnected.generator import (
     fitted,
     require_same_nonlinearity,
 )
-from pointpred_observers.interconnected.regulated import Followed, Regulated
-from pointpred_observers.interconnected.sector import SectorBounds, sector_bounds
+from pointpred_observers.interconnected.regulated import Followed, Regulated, SectorBounds, sector_bounds
 from pointpred_observers.interconnected.steady_state import relative_residuals
 from pointpred_observers.linear_systems import Plant, as_plant
 from pointpred_observers.matrices import instance, matrix, share, vector

@@ -13,7 +13,14 @@ from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.documents.entries import Document, Functions, Rows, entries
 from pointpred_observers.documents.plants import PlantDocument
-from pointpred_observers.equalities import TOLERANCE, column_units, or_one, share_of_terms
+from pointpred_observers.equalities import (
+    NO_DIGIT,
+    TOLERANCE,
+    column_units,
+    or_one,
+    share_of_terms,
+    without_rounding,
+)
 from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
@@ -25,7 +32,6 @@ from pointpred_observers.matrices import (
     share,
 )
 from pointpred_observers.observer import Observer
-from pointpred_observers.rounding import NO_DIGIT, without_rounding
 from pointpred_observers.simulations.persidskii import like, open_loop, walked
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting

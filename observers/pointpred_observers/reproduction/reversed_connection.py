@@ -48,7 +48,7 @@ def figure_3_8(_: Path | None) -> Reproduction:
         "printed Upsilon": (printed, "second"),
         "diag(-1, 1), global": (invariant_observer(plant, UNMEASURED, [[-1.0, 0.0], [0.0, 1.0]]), "third"),
         "designed, y within f": (
-            ReducedOrderObserver.design(plant, Pi=UNMEASURED, decay=0.5, injection=True).observer,
+            ReducedOrderObserver.design(plant, Pi=UNMEASURED, decay=0.5).observer,
             "first",
         ),
     }

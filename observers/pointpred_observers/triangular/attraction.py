@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.detectability import require_detectable
+from pointpred_observers.eigenvalues import require_detectable
 from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
 from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.triangular.interlaced_observer import output_matrix

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable, Sequence
-from math import isfinite, nan, sqrt
+from functools import partial
+from math import isfinite, nan
 from typing import Any, ClassVar, Self
 
 import msgspec
@@ -17,9 +18,8 @@ from numpy.typing import ArrayLike
 from pointpred.errors import EventError, ParameterError
 from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
-from pointpred_observers.balance import balanced, form, inward, outward
-from pointpred_observers.bounds import ErrorBound, eigenvalues, least_ratio
-from pointpred_observers.detectability import require_detectable
+from pointpred_observers.balance import Coordinates, balanced, inward
+from pointpred_observers.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
 from pointpred_observers.documents.entries import (
     Document,
     Functions,
@@ -31,9 +31,8 @@ from pointpred_observers.documents.entries import (
 )
 from pointpred_observers.documents.expressions import parsed
 from pointpred_observers.documents.symbolic_plants import SteadyStateDocument
-from pointpred_observers.eigenvalues import perron_root
+from pointpred_observers.eigenvalues import perron_root, require_detectable
 from pointpred_observers.error_systems.system import ErrorSystem
-from pointpred_observers.inequalities.audit import answer_of_a_search
 from pointpred_observers.inequalities.definite import solved
 from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
@@ -41,6 +40,7 @@ from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.matrices import instance, matrix, positive
 from pointpred_observers.observer import Observer
+from pointpred_observers.search import Posed, search
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, Signal, run
 from pointpred_observers.stationary import filter_start
@@ -60,10 +60,10 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
     """P, Q, Gamma and U of the theorem with recomputed margins, L = P^-1 U, and the proved bound.
 
     ``bound`` of e = w - w_hat for ``v``, the error of y: noise, and the plant's distance from its steady
-    state. Its rate is lambda_min(P^-1 Q) / 2 in 1/s, its overshoot sqrt(lambda_max(P) / lambda_min(P)) and
-    its gain sqrt(lambda_max(Gamma) / (2 rate lambda_min(P))). The print has the first root upside down and
+    state. Its decay is lambda_min(P^-1 Q) / 2 in 1/s, its overshoot sqrt(lambda_max(P) / lambda_min(P)) and
+    its gain sqrt(lambda_max(Gamma) / (2 decay lambda_min(P))). The print has the first root upside down and
     leaves out lambda_min(Q) under the second; with lambda_min(Q) / lambda_max(P), which is no larger, in
-    place of twice the rate, its bound also holds.
+    place of twice the decay, its bound also holds.
 
     ``gap``: how far the least trace of P and Gamma in balanced units could lie below that of these, relative;
     infinite if nothing is proved, as for matrices that were given.
@@ -82,10 +82,8 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
     def audited(cls, a: ArrayLike, c: ArrayLike, values: dict[str, Any], gap: float = np.inf) -> Self:
         """The certificate of matrices; raises CertificateError where an inequality fails."""
         margins = theorem_4_4_1(a, c).check(values)
-        p, gamma = eigenvalues("P", values["P"]), eigenvalues("Gamma", values["Gamma"])
-        speed = least_ratio(values["P"], values["Q"])
-        gain = sqrt(gamma[-1] / (speed * p[0]))
-        bound = ErrorBound(sqrt(p[-1] / p[0]), 0.5 * speed, (gain,), ("v",))
+        decay = decay_of(values["P"], values["Q"], "continuous")
+        bound = proved_bound(values["P"], decay, {"v": eigenvalues("Gamma", values["Gamma"])[-1]})
         return cls(**values, L=solved(values["P"], values["U"]), margins=margins, bound=bound, gap=gap)
 
 
@@ -127,30 +125,28 @@ def certify(
     output = matrix("C", c, None, len(system))
     decay = positive("decay", decay)
     require_detectable(system, output, "continuous", "(A, C)")
-    units = balanced(system, seen=output, rates=(decay,))
-    x, y, t = units.states, units.outputs, units.seconds
-    inner_a, inner_c = inward(system, x, x, t), inward(output, y, x)
-    problem = theorem_4_4_1(inner_a, inner_c)
-    problem.above("Q - 2 decay P", lambda v: v.Q - 2.0 * decay * t * v.P)
-    near = None
-    if gain is None:
-        near = _start(inner_a, inner_c, decay * t)
-    else:
-        inner_gain = inward(matrix("gain", gain, len(system), len(output)), x, y, t)
-        problem.equal("U = P L", lambda v: v.U - v.P @ inner_gain)
-    problem.number("size").above(
-        "size - U'U",
-        lambda v: np.block([[v.size * np.eye(len(output)), v.U.T], [v.U, np.eye(len(system))]]),
-        strict=False,
-    )
-    solution = problem.solve(minimise=lambda v: np.trace(v.P) + np.trace(v.Gamma) + SMALL * v.size, near=near)
-    inner = solution.values
-    values = {"P": form(inner["P"], x), "Q": form(inner["Q"], x, t), "Gamma": form(inner["Gamma"], y, t)}
-    values["U"] = outward(inner["U"], 1.0 / x, y, t)
-    with answer_of_a_search():
-        return InterlacedCertificate.audited(
-            system, output, values, np.inf if solution.gap is None else solution.gap
+    fixed = None if gain is None else matrix("gain", gain, len(system), len(output))
+
+    def posed(units: Coordinates) -> Posed:
+        x, y, t = units.states, units.outputs, units.seconds
+        a, c = inward(system, x, x, t), inward(output, y, x)
+        problem = theorem_4_4_1(a, c)
+        problem.above("Q - 2 decay P", lambda v: v.Q - 2.0 * decay * t * v.P)
+        if fixed is not None:
+            inner = inward(fixed, x, y, t)
+            problem.equal("U = P L", lambda v: v.U - v.P @ inner)
+        problem.number("size").above(
+            "size - U'U",
+            lambda v: np.block([[v.size * np.eye(len(c)), v.U.T], [v.U, np.eye(len(a))]]),
+            strict=False,
         )
+        form = np.outer(x, x)
+        measured = {"P": form, "Q": t * form, "Gamma": t * np.outer(y, y), "U": t * np.outer(x, y)}
+        near = _start(a, c, decay * t) if fixed is None else None
+        return Posed(problem, measured, lambda v: np.trace(v.P) + np.trace(v.Gamma) + SMALL * v.size, near)
+
+    units = balanced(system, seen=output, rates=(decay,))
+    return search(units, posed, partial(InterlacedCertificate.audited, system, output))
 
 
 def _start(a: FloatArray, c: FloatArray, decay: float) -> dict[str, Any] | None:

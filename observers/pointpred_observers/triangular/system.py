@@ -10,12 +10,10 @@ import numpy as np
 
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.eigenvalues import number_text
+from pointpred_observers.eigenvalues import number_text, unsettled
 from pointpred_observers.matrices import instance, listed
 from pointpred_observers.triangular.polynomials import Free, composed, cut, exact, shortened, symbolic
 
-BESIDE = 1e-5
-"""An eigenvalue within this of another, or of the imaginary axis, relative to the matrix, counts as there."""
 HIGHEST_DEGREE = 15
 """Highest degree of a series; the number of terms sets this limit."""
 
@@ -49,25 +47,12 @@ class SymbolicGenerator:
         self._require_neutral(np.array(rest.tolist(), np.float64), linear=not jacobian.free_symbols)
 
     def _require_neutral(self, a: FloatArray, *, linear: bool) -> None:
-        """Raise ParameterError for a linear part with which w = 0 is not neutrally stable."""
-        size = float(np.linalg.norm(a, 2)) or 1.0
-        values = np.linalg.eigvals(a)
-        for one in values:
-            # A defective eigenvalue is computed to a root of its digits only.
-            if one.real > BESIDE * size:
+        """Raise ParameterError for a linear part with which w = 0 is not stable."""
+        for value, motion in unsettled(a):
+            if motion.endswith("grows") or (linear and motion.endswith("with t")):
                 raise ParameterError(
-                    "a generator must be neutrally stable (Assumption 1.3.1): a motion of the eigenvalue "
-                    f"{number_text(complex(one))} grows",
-                    field="field",
-                )
-            if one.real < -BESIDE * size:
-                continue
-            pencil = (one * np.eye(len(a)) - a) / size
-            alike = int((np.abs(values - one) <= BESIDE * size).sum())
-            if linear and len(a) - np.linalg.matrix_rank(pencil, tol=BESIDE) < alike:
-                raise ParameterError(
-                    "a generator must be neutrally stable (Assumption 1.3.1): the eigenvalue "
-                    f"{number_text(complex(one))} is multiple, and a motion of it grows with t",
+                    "a generator must be neutrally stable (Assumption 1.3.1): "
+                    + motion.format(number_text(value)),
                     field="field",
                 )
 

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.balance import Coordinates, balanced
+from pointpred_observers.equalities import without_rounding
 from pointpred_observers.matrices import TIMES, dimensions, instance, matrix, one_of
-from pointpred_observers.rounding import without_rounding
 from pointpred_observers.unknown_input.boxes import (
     Box,
     Point,
@@ -218,8 +218,8 @@ class ParameterVaryingSystem:
             return
         forces = at_vertices(self.f, box, "F")
         for name, (low, high) in box.bounds.items():
-            ends = [box.mixed(forces, {**box.corners[0], name: end}) for end in (low, high)]
-            if name not in self.rates and not np.array_equal(*ends):
+            first, last = (box.mixed(forces, {**box.corners[0], name: end}) for end in (low, high))
+            if name not in self.rates and not np.array_equal(first, last):
                 raise ParameterError(f"F varies with {name}: its rate must be a scheduling variable too")
 
     def _require_decoupled(self, box: Box) -> None:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.balance import balanced, inward
-from pointpred_observers.rounding import without_rounding
+from pointpred_observers.equalities import without_rounding
 
 RELATIVE = 1e-9
 """Singular values below this share of the largest count as zero."""
