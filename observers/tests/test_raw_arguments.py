@@ -14,6 +14,7 @@ from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import certify_tracking, undetectable
+from pointpred_observers.triangular.interlaced_observer import certify
 from pointpred_observers.unknown_input.boxes import Box
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 from pointpred_observers.unknown_input.system import ParameterVaryingSystem
@@ -38,6 +39,7 @@ TAKING: dict[str, Callable[[Any], Any]] = {
     ),
     "decay must be finite and above 0": lambda v: ReducedOrderObserver.design(PLANT, decay=v),
     NOT_NEEDED: lambda v: unknown_input(output_decay=v),
+    "decay must be finite and above 0, received": lambda v: certify([[0.0]], [[1.0]], decay=v),
     "tolerance must lie in": lambda v: invariant_observer(PLANT, [[0.0, 1.0]], [[-3.0]], tolerance=v),
 }
 
