@@ -15,7 +15,6 @@ from typing import Any
 
 import mpmath
 import numpy as np
-from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
 
 from evidence.arguments import parse
 from evidence.data import Table, keep, stored
@@ -39,6 +38,7 @@ from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
 from pointpred_observers.thesis import certify_convergence, certify_tracking, regression_margin
+from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.unknown_input.gains import ROOMS
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
 
 from pointpred.errors import UndecidedError
 from pointpred.records import FloatArray
@@ -15,6 +14,7 @@ from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.stationary import filter_start
 from pointpred_observers.thesis import certify_convergence, certify_tracking
+from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 KINDS = ("random", "stiff", "slow", "badly scaled", "nearly unobservable")
