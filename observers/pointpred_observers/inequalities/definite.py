@@ -18,12 +18,14 @@ def least(matrix: FloatArray, sizes: FloatArray | None = None) -> tuple[float, f
     with d = sizes^(-1/2), the matrix does not depend on the units of its rows, and by Sylvester's law it has
     as many positive eigenvalues as M. A solver of eigenvalues errs by a share of the largest one, so that
     the least eigenvalue of a positive M comes from the inverse of the scaled matrix, which is accurate.
-    Raises CertificateError for entries or sizes that overflowed: they prove nothing.
+    Infinite for a matrix without entries. Raises CertificateError for what overflowed: it proves nothing.
 
     >>> graded = np.array([[1e24, 5e11], [5e11, 1.0]])
     >>> [round(one, 6) for one in least(graded)]
     [0.75, 0.5]
     """
+    if not matrix.size:
+        return np.inf, np.inf
     diagonal = np.abs(np.diag(matrix)) if sizes is None else sizes
     if not (np.isfinite(matrix).all() and np.isfinite(diagonal).all()):
         raise CertificateError("an inequality holds numbers that are too large to compute with")
