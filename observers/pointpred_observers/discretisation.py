@@ -67,7 +67,7 @@ def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
 
 
 def _sampled(
-    a: FloatArray, parts: list[FloatArray], step_s: float, method: str
+    a: FloatArray, parts: list[FloatArray], step_s: float, method: Any
 ) -> tuple[FloatArray, list[FloatArray]]:
     from scipy.signal import cont2discrete
 
