@@ -320,10 +320,5 @@ def _value(solution: Solution) -> float:
 def check(
     printed: Mapping[str, Any], theorem: MatrixInequalities, *, rounding: float = 0.0
 ) -> dict[str, float]:
-    """The margins of published matrices, as from ``theorem.check``; raises CertificateError.
-
-    >>> decay = MatrixInequalities("decay").positive("P", 1).below("-2 P", lambda v: -2.0 * v.P)
-    >>> check({"P": 3.0}, decay)
-    {'P > 0': 3.0, '-2 P': 6.0}
-    """
+    """The margins of published matrices, as from ``theorem.check``; raises CertificateError."""
     return theorem.check(printed, rounding=rounding)

@@ -33,11 +33,6 @@ def invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArra
     """Every isolated solution if the eigenvalues of ((s0, r), (k, a0)) differ, else some of them.
 
     A Pi is a solution exactly if the columns of (I; Pi) span an invariant subspace.
-
-    >>> import numpy as np
-    >>> one = np.ones((1, 1))
-    >>> sorted(pi.item() for pi in invariant_graphs(0 * one, 0 * one, one, one))  # Pi^2 = 1
-    [-1.0, 1.0]
     """
     q = len(s0)
     whole = np.block([[s0, r], [k, a0]])
