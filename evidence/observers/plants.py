@@ -97,7 +97,7 @@ def copied(one: Problem, time: str) -> Any:
 def reduced(one: Problem, *, linear: bool, time: str = "continuous") -> Any:
     """An observer of the states that are not measured."""
     decay = one.decay if time == "continuous" else 0.02
-    return ReducedOrderObserver.design(one.plant(linear=linear, time=time), decay=decay, injection=not linear)
+    return ReducedOrderObserver.design(one.plant(linear=linear, time=time), decay=decay)
 
 
 def certified(one: Problem) -> Any:

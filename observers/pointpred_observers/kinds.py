@@ -47,7 +47,7 @@ def design(plant: Any, kind: str | None = None, *, decay: float = 1.0, **options
     kind          plant                   what it estimates                         options
     ============= ======================= ========================================= =======================
     full          Persidskii or linear    every state, from y and the inputs        gain
-    reduced       Persidskii or linear    the unmeasured part of the state          Pi, injection
+    reduced       Persidskii or linear    the unmeasured part of the state          Pi
     driven        Persidskii or linear    the state w of the ``generator`` that     generator, Pi, gain
                                           drives the plant, and x = Pi w
     regulator     Persidskii or linear    the state, and feeds it back: its stage   observer_decay, L1,

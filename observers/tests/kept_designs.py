@@ -64,7 +64,7 @@ def _servo() -> Any:
 
 
 MAKERS = {
-    "reduced order": lambda: o.design(PENDULUM, "reduced", decay=2.0, injection=True),
+    "reduced order": lambda: o.design(PENDULUM, "reduced", decay=2.0),
     "reduced order, linear": lambda: o.design(CART, "reduced", decay=2.0),
     "reduced order, discrete": lambda: o.design(TANKS, "reduced", decay=0.5),
     "full order": lambda: o.design(PENDULUM, "full", decay=2.0),

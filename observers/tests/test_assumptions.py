@@ -160,9 +160,9 @@ def test_example_9_satisfies_4_4_2_in_a_region() -> None:
     low, high = found.terms["y3**2"]
     assert -1e-12 < low <= 0.0
     assert high == pytest.approx(0.09, rel=1e-3)
-    assert min(found.decay.margins.values()) > 0.0
+    assert min(found.certificate.margins.values()) > 0.0
     slope = steady.system.field[1].diff(y3)
-    assert float(slope.subs(y3, 0.3)) == pytest.approx(found.decay.system.A[:, 1, 2].min(), rel=1e-3)
+    assert float(slope.subs(y3, 0.3)) == pytest.approx(found.certificate.system.A[:, 1, 2].min(), rel=1e-3)
 
 
 @pytest.mark.parametrize("expression", ["x*y - x**2*sin(z)", "exp(x)*y/(2 + z)", "x**3", "sqrt(2 + x*y*z)"])
@@ -194,7 +194,7 @@ def test_two_solutions_of_example_9_approach_each_other_within_the_bound() -> No
     assert max(np.abs(run[:, 2]).max() for run in runs) < 0.3
     first = float(np.linalg.norm(starts[0] - starts[1]))
     for t, one, other in zip(times, *runs, strict=True):
-        assert np.linalg.norm(one - other) <= found.decay.bound(float(t), first) + 1e-9
+        assert np.linalg.norm(one - other) <= found.bound(float(t), first) + 1e-9
 
 
 @pytest.mark.slow
@@ -231,8 +231,8 @@ def test_the_residual_of_a_truncated_steady_state_is_a_disturbance(force: Any, d
     errors = np.linalg.norm(run - function(w(times))[:2].T, axis=1)
     assert np.abs(run[:, 0]).max() < 0.8
     assert errors.max() > 1e-3
-    assert (errors <= [found.decay.bound(float(t), 0.0) for t in times]).all()
-    assert found.decay.bound.rest == found.residual * found.decay.bound.gains[0]
+    assert (errors <= [found.bound(float(t), 0.0) for t in times]).all()
+    assert found.bound.rest == found.residual * found.bound.gains[0]
 
 
 def test_the_output_must_show_the_generator() -> None:

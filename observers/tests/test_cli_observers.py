@@ -157,7 +157,7 @@ def test_what_cannot_be_done_is_one_line_and_an_exit_code(
     refused(command, 2, "exists: choose another --out, or --force", "example", "motor", "--out", plant)
     refused(command, 2, "exists: choose another --out, or --force", "design", plant)
     refused(command, 2, "kind must be one of", "design", plant, "--kind", "kalman", "--force")
-    refused(command, 2, "--decay must lie above 0", "design", plant, "--decay", "0", "--force")
+    refused(command, 2, "decay must be finite and above 0", "design", plant, "--decay", "0", "--force")
     refused(
         command, 2, "needs a ParameterVaryingSystem", "design", plant, "--kind", "unknown-input", "--force"
     )
@@ -193,7 +193,7 @@ def test_an_option_that_would_be_ignored_is_refused(command: Command, motor: Pat
     assert command("observers", "design", tank, "--decay", "0.1").code == 0
     design = tmp_path / "tank_design.json"
     refused(command, 2, "--seconds must be a whole number", "simulate", design, "--seconds", "7.5")
-    words = "is no option of kind 'reduced', which has Pi, injection"
+    words = "is no option of kind 'reduced', which has Pi"
     refused(command, 2, f"upper {words}", "design", plant, "--upper", "1", "--force")
     generator = (tank, "--kind", "full")
     refused(command, 2, "generator is no option of kind 'full'", "design", plant, *generator, "--force")

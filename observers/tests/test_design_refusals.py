@@ -147,9 +147,7 @@ def test_a_full_order_observer_is_refused_in_the_words_of_its_plant(plant: Persi
         FullOrderObserver.design(plant)
 
 
-def test_a_decay_of_zero_and_an_injection_that_is_no_bool_are_refused() -> None:
+def test_a_decay_of_zero_is_refused() -> None:
     plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], C0=[1.0, 0.0])
     with pytest.raises(ParameterError, match="decay must be finite and above 0, received 0"):
         FullOrderObserver.design(plant, decay=0.0)
-    with pytest.raises(ParameterError, match="injection must be True or False, received 'yes'"):
-        ReducedOrderObserver.design(plant, injection="yes")

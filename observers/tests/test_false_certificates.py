@@ -37,8 +37,8 @@ def pendulum(push: float = 1.0) -> o.Persidskii:
 
 def wrong(push: float, share: float, **more: Any) -> tuple[ReducedOrderObserver, InvariantObserver]:
     """A design, and its observer with ``share`` of the right B."""
-    design = o.design(pendulum(push), "reduced", decay=1.0, injection=True)
-    b, pi = design.observer.at(0.0).B, design.observer.given("Pi")
+    design = o.design(pendulum(push), "reduced", decay=1.0)
+    b, pi = design.observer.at(0.0).B, design.observer.document().Pi
     return design, o.invariant_observer(
         pendulum(push), pi, design.Upsilon, B=share * b, injection=True, **more
     )
@@ -130,7 +130,7 @@ def test_no_tolerance_certifies_an_observer_that_breaks_its_equalities(push: flo
 def test_slow_rates_do_not_hide_an_equality_that_fails() -> None:
     plant = o.Persidskii(np.array([[0.0, 1.0], [0.0, -0.3]]) * 1e-12, None, None, "sin", C0=[1.0, 0.0])
     design = o.design(plant, "reduced", decay=1e-12)
-    b, pi = design.observer.at(0.0).B, design.observer.given("Pi")
+    b, pi = design.observer.at(0.0).B, design.observer.document().Pi
     with pytest.raises(CertificateError, match=r"S0 Z .* = 0 fails"):
         certify_convergence(o.invariant_observer(plant, pi, design.Upsilon, B=2.0 * b), decay=0.9e-12)
 

@@ -217,7 +217,7 @@ def test_designs_for_a_function_run_like_those_for_its_name() -> None:
     found = []
     for f in ("tanh", np.tanh):
         stage = DrivenObserver.design(plant(f), generator=generator, Pi=[[1.0], [2.0]], decay=1.0).stage()
-        reduced = ReducedOrderObserver.design(plant(f), Pi=[[0.0, 1.0]], injection=True).observer.stage()
+        reduced = ReducedOrderObserver.design(plant(f), Pi=[[0.0, 1.0]]).observer.stage()
         found.append(
             [[*stage.update(i / 20, np.sin(i)), *reduced.update(i / 20, [np.sin(i), 1.0])] for i in range(30)]
         )

@@ -7,7 +7,7 @@ import pytest
 from scipy import signal
 
 from observers.tests.solvers import solved_by
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers import Persidskii, invariant_observer, trajectory
 from pointpred_observers.bounds import proved_bound
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
@@ -116,23 +116,15 @@ def test_the_theorems_do_not_speak_of_another_f_than_the_observers() -> None:
     assert theorem_3_3_1(observer, (-0.5, 2.0), 0.1).name == "Theorem 3.3.1"
 
 
-def test_upsilon_is_found_where_the_equalities_tie_it() -> None:
-    tied = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.1, injection=False)
-    assert tied.Upsilon[0] == pytest.approx([-1.0, 0.0], abs=1e-9)  # J Z = H
-    assert tied.certificate.bound.decay >= 0.1
-    with pytest.raises(UndecidedError, match="that proves nothing: try a smaller decay or injection=True"):
-        ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5, injection=False)
-    free = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5)  # as by the command line
+def test_upsilon_is_found_with_the_output_in_f() -> None:
+    free = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5)
     assert free.certificate.bound.decay >= 0.5
     assert np.abs(free.observer.at(0.0).R).max() > 0.1
 
 
-@pytest.mark.parametrize("injection", [False, True])
-def test_the_compiled_stage_and_the_integrator_converge_alike(injection: bool) -> None:
+def test_the_compiled_stage_and_the_integrator_converge_alike() -> None:
     plant = masses()
-    design = ReducedOrderObserver.design(
-        plant, Pi=PI, decay=0.1 if not injection else 0.5, injection=injection
-    )
+    design = ReducedOrderObserver.design(plant, Pi=PI, decay=0.5)
     observer = design.observer
 
     def slope(t: float, both: np.ndarray) -> np.ndarray:
@@ -169,7 +161,7 @@ def test_the_linear_observer_is_luenbergers() -> None:
 
 def test_discrete_observers_are_certified_and_kept() -> None:
     plant = masses(time="discrete")
-    design = ReducedOrderObserver.design(plant, Pi=PI, decay=0.02, injection=True)
+    design = ReducedOrderObserver.design(plant, Pi=PI, decay=0.02)
     found, observer = design.certificate, design.observer
     delta, x = SeededSignal(3, 2, 0.05, period_s=1.0), np.array([0.5, 0.0, 0.2, 0.1])
     w, errors = np.zeros(2), []
@@ -196,14 +188,14 @@ def test_discrete_observers_are_certified_and_kept() -> None:
 def test_another_solver_agrees() -> None:
     pytest.importorskip("cvxopt")
     observer = invariant_observer(masses(), PI, [[-1.0, 0.0], [0.0, 0.8]])
-    sampled = ReducedOrderObserver.design(masses(time="discrete"), Pi=PI, decay=0.02, injection=True).observer
+    sampled = ReducedOrderObserver.design(masses(time="discrete"), Pi=PI, decay=0.02).observer
     one = certify_convergence(observer, decay=0.05)
     three = certify_convergence(sampled, decay=0.02)
-    found = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5, injection=True)
+    found = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5)
     with solved_by("CVXOPT"):
         two = certify_convergence(observer, decay=0.05)
         four = certify_convergence(sampled, decay=0.02)
-        other = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5, injection=True)
+        other = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5)
     assert two.bound.overshoot == pytest.approx(one.bound.overshoot, rel=1e-5)
     assert four.bound.overshoot == pytest.approx(three.bound.overshoot, rel=1e-5)
     assert four.bound.gains == pytest.approx(three.bound.gains, rel=1e-5)

@@ -38,14 +38,6 @@ REFUSED: list[tuple[Any, type, str]] = [
     ),
     (
         lambda: ReducedOrderObserver.design(
-            Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, 1.0], [1.0, 0.0], "sin", C0=[1.0, 0.0]),
-            injection=False,
-        ),
-        InfeasibleError,
-        "cannot hold for any Upsilon: its residual is 1; injection=True",
-    ),
-    (
-        lambda: ReducedOrderObserver.design(
             Persidskii(-np.eye(2), None, None, "sin", C0=[1.0, 0.0], Q=lambda t: [t, t])
         ),
         ParameterError,

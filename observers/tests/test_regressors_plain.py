@@ -13,7 +13,7 @@ SCRIPT = """
 import sys
 import numpy as np
 import pointpred.compiled
-from pointpred_observers import GradientRegressor, NonlinearRegressor, invariant_observer, invariant_stage
+from pointpred_observers import GradientRegressor, NonlinearRegressor, invariant_observer
 from pointpred_observers.examples import UNMEASURED, two_masses
 
 def answers(seed):

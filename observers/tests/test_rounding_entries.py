@@ -22,22 +22,22 @@ def tanks(coupling: float = 0.0) -> Persidskii:
 @pytest.mark.parametrize("decay", [0.05, 0.1, 0.15])
 def test_the_bound_of_a_cascade_is_small(decay: float) -> None:
     """With its rounding balanced to 1 the overshoot was 3e8."""
-    design = ReducedOrderObserver.design(tanks(), decay=decay, injection=True)
+    design = ReducedOrderObserver.design(tanks(), decay=decay)
     assert design.certificate.bound.overshoot < 2.0
     assert np.linalg.cond(design.certificate.values["P"]) < 10.0
 
 
 def test_the_levels_that_are_not_measured_keep_their_zeros() -> None:
-    now = ReducedOrderObserver.design(tanks(), decay=0.1, injection=True).observer.at(0.0)
+    now = ReducedOrderObserver.design(tanks(), decay=0.1).observer.at(0.0)
     assert np.count_nonzero(now.S1) == 3
     assert np.count_nonzero(now.J) == 2
 
 
 def test_what_decays_by_itself_needs_no_output_and_that_is_the_least() -> None:
-    design = ReducedOrderObserver.design(tanks(), decay=0.1, injection=True)
+    design = ReducedOrderObserver.design(tanks(), decay=0.1)
     assert not design.Upsilon.any()
     assert design.gap == 0.0
-    faster = ReducedOrderObserver.design(tanks(), decay=0.5, injection=True)
+    faster = ReducedOrderObserver.design(tanks(), decay=0.5)
     assert np.abs(faster.Upsilon).max() > 0.1
     assert 0.0 < faster.gap < 1.0
 

@@ -262,7 +262,7 @@ WRONG = [
     ({"plant": kept.PENDULUM}, "received one of 2 states, 2 inputs"),
     ({"plant": kept.TANKS}, "discrete time"),
     ({"plant": 3}, "a plant must be"),
-    ({"observer": None}, "can simulate ReducedOrderDesign"),
+    ({"observer": None}, "can simulate an Observer"),
     ({"plant": lambda t, x: -x, "observer": [1.0]}, "trajectory(field, start, times)"),
     ({"plant": kept.CART, "observer": "unknown input"}, "plant must be a ParameterVaryingSystem"),
     ({"plant": kept.WING, "observer": "unknown input", "schedule": {"q": 1.0}}, "schedule lacks k"),
@@ -286,7 +286,7 @@ def test_a_wrong_argument_is_named(change: dict[str, Any], words: str) -> None:
 def test_a_plant_that_leaves_every_bound_is_named_with_the_time() -> None:
     hot = o.Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "cube", None, None, [1.0, 0.0],
                        slopes=(0.0, 3.0), domain=1.0)  # fmt: skip
-    design = o.design(hot, "reduced", decay=1.0, injection=True)
+    design = o.design(hot, "reduced", decay=1.0)
     with pytest.raises(DivergenceError, match="leaves every bound"):
         o.simulate(hot, design, start=[3.0, 3.0])
 

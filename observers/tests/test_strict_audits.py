@@ -133,7 +133,7 @@ def test_an_observable_plant_is_never_refused_for_every_p(door: Any, decay: floa
 def test_an_equality_that_only_rounding_violates_is_undecided() -> None:
     plant = Persidskii(MOTOR.A0, [0.0, -2.0, 0.0], [1.0, 0.0, 0.0], "sin", C0=[1.0, 0.0, 0.0])
     with pytest.raises(UndecidedError, match=r"too large for the arithmetic"):
-        ReducedOrderObserver.design(plant, decay=1e8, injection=True)
+        ReducedOrderObserver.design(plant, decay=1e8)
 
 
 def test_rounding_of_upsilon_is_no_proof(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -56,7 +56,7 @@ def tanks() -> Persidskii:
 
 @pytest.mark.parametrize("decay", [60.0, 70.0, 100.0, 300.0, 1000.0])
 def test_a_fast_observer_of_the_arm_is_designed(decay: float) -> None:
-    design = ReducedOrderObserver.design(arm(), Pi=[[0.0, 1.0]], decay=decay, injection=True)
+    design = ReducedOrderObserver.design(arm(), Pi=[[0.0, 1.0]], decay=decay)
     assert design.certificate.bound.decay >= decay
     assert design.Upsilon[0, 0] == pytest.approx(-(1.5 * decay - 0.1), rel=0.01)
 
@@ -66,8 +66,8 @@ def test_the_unit_of_a_velocity_does_not_matter(scale: float) -> None:
     plant = oscillator()
     other = rescaled(plant, [1.0, 1.0 / scale], [1.0], 1.0)
     pi, other_pi = [[0.0, 1.0]], [[0.0, 1.0]]
-    one = ReducedOrderObserver.design(plant, Pi=pi, decay=2.0, injection=True)
-    two = ReducedOrderObserver.design(other, Pi=other_pi, decay=2.0, injection=True)
+    one = ReducedOrderObserver.design(plant, Pi=pi, decay=2.0)
+    two = ReducedOrderObserver.design(other, Pi=other_pi, decay=2.0)
     assert two.Upsilon / scale == pytest.approx(one.Upsilon, rel=1e-4)
     assert two.certificate.bound.decay == pytest.approx(one.certificate.bound.decay, rel=1e-3)
 

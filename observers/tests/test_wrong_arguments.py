@@ -55,7 +55,7 @@ TRACKED = o.Generator([[-3.0]], [-2.0], [[1.0]], [2.0], [0.0], [-1.0])
 SYSTEM = o.SymbolicSystem((X1, X2), (-X1 + X2**2, -X2 + U), U, outputs=(X2,))
 CIRCLE = o.SymbolicGenerator((W1, W2), (W2, -W1))
 STEADY = o.interlaced(SYSTEM, CIRCLE, 1, W1, degree=2)
-REDUCED = o.design(PLANT, "reduced", injection=True)
+REDUCED = o.design(PLANT, "reduced")
 BOX = o.Box({"k": (-3.0, -1.0)})
 VARYING = o.ParameterVaryingSystem(
     lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), [[1.0], [0.0]], np.eye(1, 2)
@@ -136,13 +136,13 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (sector_bounds, {"plant": PLANT, "Sigma1": [[1.0, 0.0], [0.0, 0.0]]}),
     (
         ReducedOrderObserver.design,
-        {"plant": PLANT, "Pi": [[0.0, 1.0]], "decay": 1.0, "injection": True},
+        {"plant": PLANT, "Pi": [[0.0, 1.0]], "decay": 1.0},
     ),
     (
         o.invariant_observer,
         {"plant": PLANT, "Pi": [[0.0, 1.0]], "Upsilon": [[0.0]], "B": None, "injection": True, "rates": None},
     ),
-    (o.invariant_stage, {"observer": REDUCED.observer, "start": [0, 0], "step_s": 1e-2}),
+    (REDUCED.stage, {"start": [0, 0], "step_s": 1e-2}),
     (certify_convergence, {"observer": REDUCED.observer, "decay": 0.5, "gamma": 0.5, "times": [0.0]}),
     (
         theorem_3_3_1,

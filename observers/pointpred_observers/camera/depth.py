@@ -15,9 +15,17 @@ from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
 from pointpred.records import FloatTable
 from pointpred.stage import loop_of
-from pointpred_observers.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
 from pointpred_observers.camera.model import SCHEDULED, C
-from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
+from pointpred_observers.camera.samples import (
+    FOCAL_PX,
+    LARGEST_PX,
+    SUBSTEP_S,
+    CameraColumns,
+    CameraSample,
+    CameraStage,
+    sample_at,
+    usable,
+)
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 LARGEST_RATE = 1e3
@@ -133,9 +141,9 @@ def inside(memory: Memory, zero: float, eta: float) -> bool:
 def step(
     memory: Memory, sample: tuple[float, float, float, float, float, float, float, float, float]
 ) -> tuple[float, float, float, float, float, float, float]:
-    """One ``SampleRow``: t, chi, eta, the zero of chi, detectable, certified, whether there was an image."""
+    """One sample: t, chi, eta, the zero of chi, detectable, certified, whether there was an image."""
     settings, s = memory.settings, memory.state
-    row = SampleRow(*sample)
+    row = CameraSample(*sample)
     if not usable(row, s.started, s.t, settings.gap_s):
         return nan, nan, nan, nan, 0.0, 0.0, 0.0
     t, x, y, wx, wy, wz, _, _, az = row
@@ -250,7 +258,7 @@ class DepthObserver(CameraStage):
 
     def run(self, columns: CameraColumns) -> DepthColumns:
         """Consume a table; when a row is refused the error names it and nothing is consumed."""
-        return DepthColumns(self.table(columns))
+        return DepthColumns(self.table(columns.table))
 
 
 def _camera_bounds(observer: UnknownInputObserver) -> dict[str, tuple[float, float]]:

@@ -27,29 +27,6 @@ def interaction(x: float, y: float) -> FloatArray:
     return np.array([[x * y, -(1.0 + x * x), y], [1.0 + y * y, -x * y, -x]])
 
 
-def point_rate(x: float, y: float, chi: float, v: FloatArray, w: FloatArray) -> FloatArray:
-    """(x, y)' by (8).
-
-    >>> point_rate(0.5, 0.0, 0.25, np.array([0.0, 0.0, 2.0]), np.zeros(3)).tolist()
-    [0.25, 0.0]
-    """
-    rate: FloatArray = interaction(x, y) @ w + chi * (np.array([x, y]) * v[2] - v[:2])
-    return rate
-
-
-def depth_rate(
-    x: float, y: float, chi: float, eta: float, v: FloatArray, w: FloatArray, a: FloatArray
-) -> FloatArray:
-    """(chi, eta)' by (12): four of the six signs of eta' differ from the print."""
-    turn = y * w[0] - x * w[1]
-    return np.array(
-        [
-            chi * (eta + turn),
-            a[2] * chi + w[1] * v[0] * chi - w[0] * v[1] * chi + eta * eta + turn * eta,
-        ]
-    )
-
-
 def dynamics(point: Mapping[str, float]) -> FloatArray:
     """A of (15) at a point with x, y, w_x, w_y, eta and a_z."""
     x, y, eta = point["x"], point["y"], point["eta"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 from math import nan
 from typing import Self
 
@@ -14,7 +13,7 @@ from pointpred.errors import EventError
 from pointpred_observers.camera.depth import Depth, DepthColumns, DepthObserver
 from pointpred_observers.camera.point_filter import PointEstimate, PointFilter
 from pointpred_observers.camera.samples import CameraColumns, CameraSample
-from pointpred_observers.camera.velocity import FED_FORWARD, UnknownInputs, velocities
+from pointpred_observers.camera.velocity import UnknownInputFilter, velocities
 
 SURE = 2.0
 """Standard deviations by which the filter's eta must exceed -decay to clear ``detectable``."""
@@ -65,16 +64,13 @@ class CameraPipeline:
     wrong sign. The filter can, once the images determine the depth: if its eta lies above -decay by two
     standard deviations, ``detectable`` is false whatever the observer's estimate.
 
-    Parameters: ``observer``; ``peer``; ``way``, how (x, y)' is computed, one of ``velocity.WAYS``;
-    ``noise_px`` px, the standard deviation of the image. Raises EventError and EventOrderError and is then
-    unchanged.
+    Parameters: ``observer``; ``peer``; ``noise_px`` px, the standard deviation of the image, for the filter
+    of the velocity. Raises EventError and EventOrderError and is then unchanged.
     """
 
-    def __init__(
-        self, observer: DepthObserver, peer: PointFilter, *, way: str = FED_FORWARD, noise_px: float = 1.0
-    ) -> None:
+    def __init__(self, observer: DepthObserver, peer: PointFilter, *, noise_px: float = 1.0) -> None:
         self.observer, self.peer = observer, peer
-        self.unknown = UnknownInputs(way, focal_px=observer.focal_px, noise_px=noise_px)
+        self.unknown = UnknownInputFilter(focal_px=observer.focal_px, noise_px=noise_px)
 
     def reset(self) -> None:
         """Forget every sample."""
@@ -83,9 +79,7 @@ class CameraPipeline:
 
     def fresh(self) -> Self:
         """The same parameters, without memory."""
-        twin = copy.deepcopy(self)
-        twin.reset()
-        return twin
+        return type(self)(self.observer.fresh(), self.peer.fresh(), noise_px=self.unknown.noise_px)
 
     def update(self, sample: CameraSample, /) -> CameraEstimate:
         """Consume one sample; a refused one changes nothing."""
@@ -97,19 +91,21 @@ class CameraPipeline:
         finally:
             if not accepted:
                 self.observer.recall(memory)
-        d = self.unknown.update(sample, depth.eta)
+        d = self.unknown.update(sample, depth.eta)[:2]
         row = DepthColumns([[depth.t, depth.chi, depth.eta, depth.zero, 0.0, 0.0, 0.0]])
         vx, vy, vz = velocities(np.array([d]), row)[0].tolist()
         return CameraEstimate(depth, (vx, vy, vz), depth.detectable and not self._denied(peer), peer)
 
     def run(self, samples: CameraColumns) -> CameraTable:
         """Consume a table; when a row is refused the error names it and nothing is consumed."""
-        rows, before = [], copy.deepcopy((self.observer, self.peer, self.unknown))
-        for number, sample in enumerate(samples.samples()):
+        rows, stages = [], (self.observer, self.peer, self.unknown)
+        before = [stage.remembered() for stage in stages]
+        for number, sample in enumerate(samples):
             try:
                 rows.append(_row(self.update(sample)))
             except EventError as refused:
-                self.observer, self.peer, self.unknown = before
+                for stage, memory in zip(stages, before, strict=True):
+                    stage.recall(memory)
                 raise type(refused)(
                     f"row {number}: {refused}", field=refused.field, value=refused.value
                 ) from refused

@@ -89,16 +89,16 @@ static inline double whole_power(double a, int64_t n) {
   return n < 0 ? 1.0 / result : result;
 }
 
-typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; double f8; } T9d;
-typedef struct { double t; double x; double y; double wx; double wy; double wz; double ax; double ay; double az; } camera_samples_SampleRow;
 typedef struct { double f0; double f1; } T2d;
 typedef struct { double x; double y; double wx; double wy; double wz; double az; } camera_depth_Measured;
 typedef struct { double f0; double f1; double f2; double f3; double f4; } T5d;
+typedef struct { double t; double x; double y; double wx; double wy; double wz; double ax; double ay; double az; } camera_samples_CameraSample;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; } T7d;
+typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; double f8; } T9d;
 typedef struct { double f0; double f1; double f2; } T3d;
 typedef struct { T3d f0; T3d f1; } T2_T3d_;
 typedef struct { double f0; double f1; double f2; double f3; } T4d;
-typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } camera_unknown_input_filter_FlowRow;
+typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } camera_velocity_FlowRow;
 typedef struct { Vector codes; Table N; Table L; Table J; Table K; Table R0; Table R1; Table R; Table R2; Vector start; Vector valued; Table V0; Table V1; Table V2; Vector first; } interconnected_persidskii_law_Matrices;
 typedef struct { Vector clock; Vector both; Vector space; Vector absent; } interconnected_persidskii_law_State;
 typedef struct { interconnected_persidskii_law_Matrices f0; interconnected_persidskii_law_State f1; } T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_;
@@ -132,6 +132,23 @@ typedef struct {
   camera_depth_State state;
 } camera_depth_Memory;
 typedef struct {
+  double g;
+  double up[3];
+  double gap_s;
+} camera_gravity_Settings;
+typedef struct {
+  double started;
+  double t;
+  double wx;
+  double wy;
+  double wz;
+  double up[3];
+} camera_gravity_State;
+typedef struct {
+  camera_gravity_Settings settings;
+  camera_gravity_State state;
+} camera_gravity_Memory;
+typedef struct {
   double m[6][6];
 } camera_kinematics_Matrix;
 typedef struct {
@@ -145,7 +162,7 @@ typedef struct {
   double now[6];
   double row[6];
   camera_kinematics_Matrix spread;
-} camera_starting_State;
+} camera_kinematics_Start;
 typedef struct {
   double started;
   double t;
@@ -160,7 +177,7 @@ typedef struct {
   double state[6];
   camera_kinematics_Matrix spread;
   double column[6];
-  camera_starting_State start;
+  camera_kinematics_Start start;
 } camera_point_filter_State;
 typedef struct {
   double focal_px;
@@ -194,15 +211,15 @@ typedef struct {
   double p00;
   double p01;
   double p11;
-} camera_unknown_input_filter_State;
+} camera_velocity_State;
 typedef struct {
   double noise;
   double density;
-} camera_unknown_input_filter_Settings;
+} camera_velocity_Settings;
 typedef struct {
-  camera_unknown_input_filter_Settings settings;
-  camera_unknown_input_filter_State state;
-} camera_unknown_input_filter_Memory;
+  camera_velocity_Settings settings;
+  camera_velocity_State state;
+} camera_velocity_Memory;
 typedef struct {
   double states;
   double components;
@@ -223,35 +240,36 @@ typedef struct {
   double steepest;
   double rest[];
 } regressors_gradient_Memory;
-static inline camera_unknown_input_filter_FlowRow camera_unknown_input_filter_FlowRow_of_T7d(T7d value) { return (camera_unknown_input_filter_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
-static inline camera_samples_SampleRow camera_samples_SampleRow_of_T9d(T9d value) { return (camera_samples_SampleRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8}; }
-T9d camera_camera_stage_sample_at(Table rows, int64_t i);
-bool camera_camera_stage_usable(camera_samples_SampleRow sample, double started, double last_t, double gap_s);
+static inline camera_velocity_FlowRow camera_velocity_FlowRow_of_T7d(T7d value) { return (camera_velocity_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
+static inline camera_samples_CameraSample camera_samples_CameraSample_of_T9d(T9d value) { return (camera_samples_CameraSample){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8}; }
 void camera_depth_carry(camera_depth_State * state, camera_depth_Measured m, double dt);
 bool camera_depth_inside(camera_depth_Memory * memory, double zero, double eta);
 T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx, double dwy);
 T7d camera_depth_step(camera_depth_Memory * memory, T9d sample);
+void camera_gravity_step(camera_gravity_Memory * memory, Vector row, Vector out);
 void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel);
 T3d camera_kinematics_back(T3d turn, T3d vector);
+void camera_kinematics_begin_start(camera_kinematics_Start * s);
 T2_T3d_ camera_kinematics_carried(T3d p, T3d v, double h, T3d turn);
 void camera_kinematics_carry(Vector s, double h, T3d turn);
 void camera_kinematics_carry_column(camera_kinematics_Matrix * phi, int64_t i, double h, T3d turn);
+bool camera_kinematics_factor(camera_kinematics_Matrix * lower);
 void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ acceleration, double gyro, double accel);
 void camera_kinematics_push(Vector s, double h, T3d turn, T3d before, T3d after);
+void camera_kinematics_solve(camera_kinematics_Matrix * lower, Vector v);
+bool camera_kinematics_started(camera_kinematics_Start * s, Vector state, camera_kinematics_Matrix * spread, double variance, double share);
+void camera_kinematics_take_image(camera_kinematics_Start * s, double x, double y, double variance);
 void camera_kinematics_turn_covariance(camera_kinematics_Matrix * p, double h, T3d turn);
 void camera_point_filter_correct(camera_point_filter_State * s, double noise, double measured, int64_t axis, T3d predicted);
 void camera_point_filter_look(camera_point_filter_Memory * memory, double x, double y);
 void camera_point_filter_predict(camera_point_filter_Memory * memory, double dt, T3d w, T3d a);
 void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, camera_point_filter_Answer * out);
-void camera_starting_begin(camera_starting_State * s);
-bool camera_starting_factor(camera_kinematics_Matrix * lower);
-void camera_starting_solve(camera_kinematics_Matrix * lower, Vector v);
-bool camera_starting_start(camera_starting_State * s, Vector state, camera_kinematics_Matrix * spread, double variance, double share);
-void camera_starting_take(camera_starting_State * s, double x, double y, double variance);
-T2d camera_unknown_input_filter_flow(double x, double y, double eta, double wx, double wy, double wz);
-void camera_unknown_input_filter_predict(camera_unknown_input_filter_State * s, double density, double eta, double wx, double wy, double wz, double h);
-T7d camera_unknown_input_filter_row_at(Table rows, int64_t i);
-T4d camera_unknown_input_filter_step(camera_unknown_input_filter_Memory * memory, T7d row);
+T9d camera_samples_sample_at(Table rows, int64_t i);
+bool camera_samples_usable(camera_samples_CameraSample sample, double started, double last_t, double gap_s);
+T2d camera_velocity_flow(double x, double y, double eta, double wx, double wy, double wz);
+void camera_velocity_predict(camera_velocity_State * s, double density, double eta, double wx, double wy, double wz, double h);
+T7d camera_velocity_row_at(Table rows, int64_t i);
+T4d camera_velocity_step(camera_velocity_Memory * memory, T7d row);
 int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row);
 double interconnected_persidskii_law_along(double total, Vector row, Vector vector);
 double interconnected_persidskii_law_along_both(double total, Vector row, Vector one, Vector other);
@@ -267,9 +285,10 @@ void interconnected_persidskii_law_replace(interconnected_persidskii_law_Matrice
 void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector to);
 interconnected_persidskii_law_Space interconnected_persidskii_law_space_of(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, int64_t size);
 int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out);
+void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-void loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-void loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
+void loop__stage_learn_nothing__camera_samples_sample_at__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
+void loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 static inline double nonlinearity_value(double code, double s);
 void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
 void regressors_gradient_bend(double code, regressors_gradient_Parts s, Vector new, double begin, double h, double dt);
@@ -283,6 +302,7 @@ double regressors_gradient_steepness(Table d, Table gain);
 int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out);
 bool regressors_gradient_usable(regressors_gradient_Memory * memory, Vector row);
 static inline void stage_learn_nothing(Vector memory);
+bool unknown_input_boxes_weigh(Table axes, Vector p, Vector weights);
 void unknown_input_stage_estimated(Vector block, Table ends, double s, Table space);
 bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block);
 void unknown_input_stage_push(Vector block, Table c, Table ends, double s, int64_t part, double h, Table space);

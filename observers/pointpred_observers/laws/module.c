@@ -95,20 +95,6 @@ static bool take_bool(PyObject *given, bool *value) {
 }
 #include "laws.h"
 
-static PyObject *give_T9d(T9d value) {
-  PyObject *tuple = PyTuple_New(9);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
-  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
-  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
-  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
-  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.f7));
-  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.f8));
-  return tuple;
-}
 static PyObject *give_T2d(T2d value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
@@ -143,6 +129,20 @@ static PyObject *give_T2_T3d_(T2_T3d_ value) {
   PyTuple_SetItem(tuple, 1, give_T3d(value.f1));
   return tuple;
 }
+static PyObject *give_T9d(T9d value) {
+  PyObject *tuple = PyTuple_New(9);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
+  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.f7));
+  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.f8));
+  return tuple;
+}
 static PyObject *give_T4d(T4d value) {
   PyObject *tuple = PyTuple_New(4);
   if (tuple == NULL) return NULL;
@@ -151,55 +151,6 @@ static PyObject *give_T4d(T4d value) {
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
   PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
   return tuple;
-}
-static PyObject *py_camera_camera_stage_sample_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.camera_stage:sample_at";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  int64_t a1;
-  T9d result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a0.m, 9)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = camera_camera_stage_sample_at(a0, a1); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return give_T9d(result);
-}
-static PyObject *py_camera_camera_stage_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.camera_stage:usable";
-  Held held;
-  const Py_buffer *view;
-  camera_samples_SampleRow a0;
-  double a1;
-  double a2;
-  double a3;
-  bool result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_tuple(args[0], law, "sample", 9)
-        && take_double(PyTuple_GetItem(args[0], 0), &a0.t)
-        && take_double(PyTuple_GetItem(args[0], 1), &a0.x)
-        && take_double(PyTuple_GetItem(args[0], 2), &a0.y)
-        && take_double(PyTuple_GetItem(args[0], 3), &a0.wx)
-        && take_double(PyTuple_GetItem(args[0], 4), &a0.wy)
-        && take_double(PyTuple_GetItem(args[0], 5), &a0.wz)
-        && take_double(PyTuple_GetItem(args[0], 6), &a0.ax)
-        && take_double(PyTuple_GetItem(args[0], 7), &a0.ay)
-        && take_double(PyTuple_GetItem(args[0], 8), &a0.az)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
-    return let_go(&held);
-  result = camera_camera_stage_usable(a0, a1, a2, a3);
-  let_go(&held);
-  return PyBool_FromLong(result);
 }
 static PyObject *py_camera_depth_carry(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.depth:carry";
@@ -302,6 +253,27 @@ static PyObject *py_camera_depth_step(PyObject *self, PyObject *const *args, Py_
   let_go(&held);
   return give_T7d(result);
 }
+static PyObject *py_camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.gravity:step";
+  Held held;
+  const Py_buffer *view;
+  camera_gravity_Memory * a0;
+  Vector a1;
+  Vector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", true, 13, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  camera_gravity_step(a0, a1, a2);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyObject *py_camera_kinematics_add_noise(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:add_noise";
   Held held;
@@ -346,6 +318,21 @@ static PyObject *py_camera_kinematics_back(PyObject *self, PyObject *const *args
   result = camera_kinematics_back(a0, a1);
   let_go(&held);
   return give_T3d(result);
+}
+static PyObject *py_camera_kinematics_begin_start(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:begin_start";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Start * a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 210, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  camera_kinematics_begin_start(a0);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_kinematics_carried(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:carried";
@@ -423,6 +410,22 @@ static PyObject *py_camera_kinematics_carry_column(PyObject *self, PyObject *con
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_camera_kinematics_factor(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:factor";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Matrix * a0;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "lower", true, 36, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  result = camera_kinematics_factor(a0);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
 static PyObject *py_camera_kinematics_propagate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:propagate";
   Held held;
@@ -491,6 +494,71 @@ static PyObject *py_camera_kinematics_push(PyObject *self, PyObject *const *args
         && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)))
     return let_go(&held);
   camera_kinematics_push(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_camera_kinematics_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:solve";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Matrix * a0;
+  Vector a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "lower", false, 36, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "v", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  camera_kinematics_solve(a0, a1);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_camera_kinematics_started(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:started";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Start * a0;
+  Vector a1;
+  camera_kinematics_Matrix * a2;
+  double a3;
+  double a4;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 210, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "state", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[2], law, "spread", true, 36, &view)
+        && (a2 = view->buf, true)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = camera_kinematics_started(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_camera_kinematics_take_image(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:take_image";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Start * a0;
+  double a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 210, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  camera_kinematics_take_image(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -609,104 +677,57 @@ static PyObject *py_camera_point_filter_step(PyObject *self, PyObject *const *ar
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_camera_starting_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:begin";
+static PyObject *py_camera_samples_sample_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.samples:sample_at";
   Held held;
   const Py_buffer *view;
-  camera_starting_State * a0;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_memory(&held, args[0], law, "s", true, 210, &view)
-        && (a0 = view->buf, true)))
-    return let_go(&held);
-  camera_starting_begin(a0);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_camera_starting_factor(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:factor";
-  Held held;
-  const Py_buffer *view;
-  camera_kinematics_Matrix * a0;
-  bool result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_memory(&held, args[0], law, "lower", true, 36, &view)
-        && (a0 = view->buf, true)))
-    return let_go(&held);
-  result = camera_starting_factor(a0);
-  let_go(&held);
-  return PyBool_FromLong(result);
-}
-static PyObject *py_camera_starting_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:solve";
-  Held held;
-  const Py_buffer *view;
-  camera_kinematics_Matrix * a0;
-  Vector a1;
+  Table a0;
+  int64_t a1;
+  T9d result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "lower", false, 36, &view)
-        && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "v", 'd', 1, true, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "rows", a0.m, 9)
+        && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  camera_starting_solve(a0, a1);
+  Py_BEGIN_ALLOW_THREADS result = camera_samples_sample_at(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
+  return give_T9d(result);
 }
-static PyObject *py_camera_starting_start(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:start";
+static PyObject *py_camera_samples_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.samples:usable";
   Held held;
   const Py_buffer *view;
-  camera_starting_State * a0;
-  Vector a1;
-  camera_kinematics_Matrix * a2;
-  double a3;
-  double a4;
-  bool result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_memory(&held, args[0], law, "s", true, 210, &view)
-        && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "state", 'd', 1, true, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[2], law, "spread", true, 36, &view)
-        && (a2 = view->buf, true)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
-    return let_go(&held);
-  result = camera_starting_start(a0, a1, a2, a3, a4);
-  let_go(&held);
-  return PyBool_FromLong(result);
-}
-static PyObject *py_camera_starting_take(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:take";
-  Held held;
-  const Py_buffer *view;
-  camera_starting_State * a0;
+  camera_samples_CameraSample a0;
   double a1;
   double a2;
   double a3;
+  bool result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_memory(&held, args[0], law, "s", true, 210, &view)
-        && (a0 = view->buf, true)
+        && take_tuple(args[0], law, "sample", 9)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.t)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.x)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.y)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.wx)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.wy)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.wz)
+        && take_double(PyTuple_GetItem(args[0], 6), &a0.ax)
+        && take_double(PyTuple_GetItem(args[0], 7), &a0.ay)
+        && take_double(PyTuple_GetItem(args[0], 8), &a0.az)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
     return let_go(&held);
-  camera_starting_take(a0, a1, a2, a3);
+  result = camera_samples_usable(a0, a1, a2, a3);
   let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
+  return PyBool_FromLong(result);
 }
-static PyObject *py_camera_unknown_input_filter_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.unknown_input_filter:flow";
+static PyObject *py_camera_velocity_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.velocity:flow";
   Held held;
   const Py_buffer *view;
   double a0;
@@ -726,15 +747,15 @@ static PyObject *py_camera_unknown_input_filter_flow(PyObject *self, PyObject *c
         && take_double(args[4], &a4)
         && take_double(args[5], &a5)))
     return let_go(&held);
-  result = camera_unknown_input_filter_flow(a0, a1, a2, a3, a4, a5);
+  result = camera_velocity_flow(a0, a1, a2, a3, a4, a5);
   let_go(&held);
   return give_T2d(result);
 }
-static PyObject *py_camera_unknown_input_filter_predict(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.unknown_input_filter:predict";
+static PyObject *py_camera_velocity_predict(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.velocity:predict";
   Held held;
   const Py_buffer *view;
-  camera_unknown_input_filter_State * a0;
+  camera_velocity_State * a0;
   double a1;
   double a2;
   double a3;
@@ -753,12 +774,12 @@ static PyObject *py_camera_unknown_input_filter_predict(PyObject *self, PyObject
         && take_double(args[5], &a5)
         && take_double(args[6], &a6)))
     return let_go(&held);
-  camera_unknown_input_filter_predict(a0, a1, a2, a3, a4, a5, a6);
+  camera_velocity_predict(a0, a1, a2, a3, a4, a5, a6);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_camera_unknown_input_filter_row_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.unknown_input_filter:row_at";
+static PyObject *py_camera_velocity_row_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.velocity:row_at";
   Held held;
   const Py_buffer *view;
   Table a0;
@@ -772,15 +793,15 @@ static PyObject *py_camera_unknown_input_filter_row_at(PyObject *self, PyObject 
         && has_columns(law, "rows", a0.m, 7)
         && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = camera_unknown_input_filter_row_at(a0, a1); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = camera_velocity_row_at(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return give_T7d(result);
 }
-static PyObject *py_camera_unknown_input_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.unknown_input_filter:step";
+static PyObject *py_camera_velocity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.velocity:step";
   Held held;
   const Py_buffer *view;
-  camera_unknown_input_filter_Memory * a0;
+  camera_velocity_Memory * a0;
   T7d a1;
   T4d result;
   (void)self, (void)view;
@@ -797,7 +818,7 @@ static PyObject *py_camera_unknown_input_filter_step(PyObject *self, PyObject *c
         && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
         && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)))
     return let_go(&held);
-  result = camera_unknown_input_filter_step(a0, a1);
+  result = camera_velocity_step(a0, a1);
   let_go(&held);
   return give_T4d(result);
 }
@@ -1379,6 +1400,32 @@ static PyObject *py_interconnected_persidskii_law_step(PyObject *self, PyObject 
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
+static PyObject *py_loop__camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__camera_gravity_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)";
   Held held;
@@ -1405,8 +1452,8 @@ static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *con
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)";
+static PyObject *py_loop__stage_learn_nothing__camera_samples_sample_at__camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.samples:sample_at) (pointpred_observers.camera.depth:step)";
   Held held;
   const Py_buffer *view;
   Vector a0;
@@ -1428,12 +1475,12 @@ static PyObject *py_loop__stage_learn_nothing__camera_camera_stage_sample_at__ca
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_samples_sample_at__camera_depth_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.unknown_input_filter:row_at) (pointpred_observers.camera.unknown_input_filter:step)";
+static PyObject *py_loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.velocity:row_at) (pointpred_observers.camera.velocity:step)";
   Held held;
   const Py_buffer *view;
   Vector a0;
@@ -1455,7 +1502,7 @@ static PyObject *py_loop__stage_learn_nothing__camera_unknown_input_filter_row_a
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1698,6 +1745,29 @@ static PyObject *py_regressors_gradient_usable(PyObject *self, PyObject *const *
   let_go(&held);
   return PyBool_FromLong(result);
 }
+static PyObject *py_unknown_input_boxes_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.unknown_input.boxes:weigh";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  Vector a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "axes", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "axes", a0.m, 2)
+        && take_array(&held, args[1], law, "p", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "weights", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = unknown_input_boxes_weigh(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
 static PyObject *py_unknown_input_stage_estimated(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.unknown_input.stage:estimated";
   Held held;
@@ -1738,7 +1808,6 @@ static PyObject *py_unknown_input_stage_mix(PyObject *self, PyObject *const *arg
         && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, args[1], law, "axes", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "axes", a1.m, 2)
         && take_array(&held, args[2], law, "p", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "weights", 'd', 1, true, &view)
@@ -1781,33 +1850,34 @@ static PyObject *py_unknown_input_stage_push(PyObject *self, PyObject *const *ar
   return (Py_IncRef(Py_None), Py_None);
 }
 static PyMethodDef methods[] = {
-  {"pointpred_observers.camera.camera_stage:sample_at", (PyCFunction)(void (*)(void))py_camera_camera_stage_sample_at, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.camera_stage:usable", (PyCFunction)(void (*)(void))py_camera_camera_stage_usable, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:carry", (PyCFunction)(void (*)(void))py_camera_depth_carry, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:inside", (PyCFunction)(void (*)(void))py_camera_depth_inside, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:rate", (PyCFunction)(void (*)(void))py_camera_depth_rate, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:step", (PyCFunction)(void (*)(void))py_camera_depth_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.gravity:step", (PyCFunction)(void (*)(void))py_camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:add_noise", (PyCFunction)(void (*)(void))py_camera_kinematics_add_noise, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:back", (PyCFunction)(void (*)(void))py_camera_kinematics_back, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:begin_start", (PyCFunction)(void (*)(void))py_camera_kinematics_begin_start, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:carried", (PyCFunction)(void (*)(void))py_camera_kinematics_carried, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:carry", (PyCFunction)(void (*)(void))py_camera_kinematics_carry, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:carry_column", (PyCFunction)(void (*)(void))py_camera_kinematics_carry_column, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:factor", (PyCFunction)(void (*)(void))py_camera_kinematics_factor, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:propagate", (PyCFunction)(void (*)(void))py_camera_kinematics_propagate, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:push", (PyCFunction)(void (*)(void))py_camera_kinematics_push, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:solve", (PyCFunction)(void (*)(void))py_camera_kinematics_solve, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:started", (PyCFunction)(void (*)(void))py_camera_kinematics_started, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:take_image", (PyCFunction)(void (*)(void))py_camera_kinematics_take_image, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:turn_covariance", (PyCFunction)(void (*)(void))py_camera_kinematics_turn_covariance, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:correct", (PyCFunction)(void (*)(void))py_camera_point_filter_correct, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:look", (PyCFunction)(void (*)(void))py_camera_point_filter_look, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:predict", (PyCFunction)(void (*)(void))py_camera_point_filter_predict, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:step", (PyCFunction)(void (*)(void))py_camera_point_filter_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:begin", (PyCFunction)(void (*)(void))py_camera_starting_begin, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:factor", (PyCFunction)(void (*)(void))py_camera_starting_factor, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:solve", (PyCFunction)(void (*)(void))py_camera_starting_solve, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:start", (PyCFunction)(void (*)(void))py_camera_starting_start, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:take", (PyCFunction)(void (*)(void))py_camera_starting_take, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.unknown_input_filter:flow", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_flow, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.unknown_input_filter:predict", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_predict, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.unknown_input_filter:row_at", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_row_at, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.unknown_input_filter:step", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.samples:sample_at", (PyCFunction)(void (*)(void))py_camera_samples_sample_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.samples:usable", (PyCFunction)(void (*)(void))py_camera_samples_usable, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.velocity:flow", (PyCFunction)(void (*)(void))py_camera_velocity_flow, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.velocity:predict", (PyCFunction)(void (*)(void))py_camera_velocity_predict, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.velocity:row_at", (PyCFunction)(void (*)(void))py_camera_velocity_row_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.velocity:step", (PyCFunction)(void (*)(void))py_camera_velocity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:advance", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_advance, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:along", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:along_both", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along_both, METH_FASTCALL, NULL},
@@ -1821,9 +1891,10 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.interconnected.persidskii_law:replace", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_replace, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:slope", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_slope, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)", (PyCFunction)(void (*)(void))py_loop__camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)", (PyCFunction)(void (*)(void))py_loop__camera_point_filter_step, METH_FASTCALL, NULL},
-  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step, METH_FASTCALL, NULL},
-  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.unknown_input_filter:row_at) (pointpred_observers.camera.unknown_input_filter:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.samples:sample_at) (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_samples_sample_at__camera_depth_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.velocity:row_at) (pointpred_observers.camera.velocity:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.nonlinearity:value", (PyCFunction)(void (*)(void))py_nonlinearity_value, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:bend", (PyCFunction)(void (*)(void))py_regressors_gradient_bend, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:flow", (PyCFunction)(void (*)(void))py_regressors_gradient_flow, METH_FASTCALL, NULL},
@@ -1833,6 +1904,7 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.regressors.gradient:steepness", (PyCFunction)(void (*)(void))py_regressors_gradient_steepness, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:step", (PyCFunction)(void (*)(void))py_regressors_gradient_step, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:usable", (PyCFunction)(void (*)(void))py_regressors_gradient_usable, METH_FASTCALL, NULL},
+  {"pointpred_observers.unknown_input.boxes:weigh", (PyCFunction)(void (*)(void))py_unknown_input_boxes_weigh, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:estimated", (PyCFunction)(void (*)(void))py_unknown_input_stage_estimated, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:mix", (PyCFunction)(void (*)(void))py_unknown_input_stage_mix, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:push", (PyCFunction)(void (*)(void))py_unknown_input_stage_push, METH_FASTCALL, NULL},

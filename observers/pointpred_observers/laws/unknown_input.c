@@ -8,8 +8,8 @@ static const int64_t unknown_input_stage_RATE = 3;
 static const int64_t unknown_input_stage_STAGE = 2;
 static const int64_t unknown_input_stage_TOTAL = 1;
 
-/* The matrices at a point of a box from those at its vertices, a row each; false for one outside. */
-WIDE bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block) {
+/* The weight of each vertex of a box at a point; false for a point outside. */
+WIDE bool unknown_input_boxes_weigh(Table axes, Vector p, Vector weights) {
   int64_t count;
   double low, high, slack, up;
   count = 1;
@@ -30,10 +30,18 @@ WIDE bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector we
       count *= 2;
     }
   }
+  return true;
+}
+
+/* The matrices at a point of a box from those at its vertices, a row each; false for one outside. */
+bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block) {
+  if (!unknown_input_boxes_weigh(axes, p, weights)) {
+    return false;
+  }
   for (int64_t j = 0; j < block.n; j++) {
     block.p[j] = 0.0;
   }
-  for (int64_t i = 0; i < count; i++) {
+  for (int64_t i = 0; i < weights.n; i++) {
     if (weights.p[i] != 0.0) {
       for (int64_t j = 0; j < block.n; j++) {
         block.p[j] += weights.p[i] * corners.p[i * corners.m + j];

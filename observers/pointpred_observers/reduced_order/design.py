@@ -34,9 +34,8 @@ from pointpred_observers.reduced_order.reversed_certificate import (
 from pointpred_observers.reduced_order.reversed_connection import (
     InvariantDocument,
     InvariantObserver,
-    invariant_observer,
 )
-from pointpred_observers.reduced_order.upsilon import InjectionSearch, Split, allowed, split
+from pointpred_observers.reduced_order.upsilon import InjectionSearch, Split, split
 from pointpred_observers.search import least_in_both, outward_all
 from pointpred_observers.simulations.persidskii import like, same
 from pointpred_observers.simulations.result import Simulation
@@ -88,15 +87,12 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
         return {"Upsilon": self.Upsilon}
 
     @classmethod
-    def design(
-        cls, plant: Plant, *, Pi: Any = None, decay: float = 1.0, injection: bool = True
-    ) -> ReducedOrderObserver:
+    def design(cls, plant: Plant, *, Pi: Any = None, decay: float = 1.0) -> ReducedOrderObserver:
         """The reduced-order observer with Upsilon from the inequality, and its certificate.
 
-        Assumes y = C0 x and constant matrices. With ``injection`` the measured output enters f, every Upsilon
-        is allowed, and the problem is convex. Without, as in the thesis, the equality J Z = H leaves only
-        Upsilon = U0 + N K, N the null space of H restricted to the unmeasured part, and P is block-diagonal
-        there, which is conservative: a search that fails proves nothing then.
+        Assumes y = C0 x and constant matrices. The measured output enters f, f(J w + R y), so that every
+        Upsilon is allowed and the problem is convex; for the thesis's J Z = H, which leaves few of them, give
+        an Upsilon of your own to ``invariant_observer``.
 
         Continuous: the inequality of Theorem 3.3.1 with Xi = 2 ``decay`` P, linear in P, P Upsilon and W; of
         all Upsilon one with small Upsilon'P Upsilon. gamma is ``decay``, or, if none exists then, 1 % of it.
@@ -110,10 +106,6 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
         Reference: Khalin 2022, section 3.3.3, (3.33)-(3.40), Theorems 3.3.1 and 3.3.2.
         """
         plant, decay = as_plant(plant), positive("decay", decay)
-        if not isinstance(injection, bool):
-            raise ParameterError(
-                f"injection must be True or False, received {injection!r}", field="injection", value=injection
-            )
         if plant.varying:
             raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
         units = balanced(
@@ -139,18 +131,12 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
 
         def designed(basis: Any, gamma: float) -> ReducedOrderObserver:
             parts = split(inner, matrix("Pi", basis, None, plant.n) * units.states)
-            choices, gap, near = allowed(parts, sloped and not injection), 0.0, None
-            chosen = choices[0]
-            if choices[1].shape[1]:
-                rates = decay, 2.0 * decay + gamma
-                chosen, gap, near = _chosen(plant, parts, sloped, choices, rates)
+            chosen, gap, near = _chosen(plant, parts, sloped, (decay, 2.0 * decay + gamma))
             upsilon = chosen / units.outputs
             try:
-                observer = invariant_observer(plant, basis, upsilon, injection=injection)
+                observer = InvariantObserver(plant, basis, upsilon, injection=True)
                 certificate = certify_convergence(observer, decay=decay, gamma=gamma, times=None, near=near)
             except InfeasibleError as failure:
-                if not choices[1].shape[1]:
-                    raise
                 # The equalities and the inequality hold for this Upsilon, as its choice has shown.
                 raise UndecidedError(
                     f"decay = {decay:g} is too large for the arithmetic: Upsilon has entries of "
@@ -268,10 +254,9 @@ def _chosen(
     plant: Persidskii,
     parts: Split,
     sloped: bool,
-    choices: tuple[FloatArray, FloatArray],
     rates: tuple[float, float],
 ) -> tuple[FloatArray, float, dict[str, Any]]:
-    """Upsilon of ``choices``, U0 + N K, its gap and its P, by balanced units; ``rates`` of e and of V."""
+    """Upsilon, its gap and its P, by balanced units; ``rates`` of e and of V."""
     units = balanced(
         parts.drift,
         seen=parts.seen,
@@ -282,7 +267,6 @@ def _chosen(
         rates=rates[:1],
         time=plant.time,
     )
-    base, free = choices
 
     def made(units: Coordinates) -> tuple[FloatArray, float, dict[str, Any]]:
         x, y, f, s, t = units.states, units.outputs, units.values, units.arguments, units.seconds
@@ -299,8 +283,6 @@ def _chosen(
             vertices(slopes) if sloped else {},
             slopes,
             plant.time,
-            inward(base, x, y, t),
-            np.linalg.qr(free / x[:, None])[0],
             rates[1] * t,
         )
         upsilon, gap, proof = choice.made()

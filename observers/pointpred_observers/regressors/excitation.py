@@ -197,7 +197,7 @@ def regression_margin(
 
 def _increasing(t: ArrayLike | None) -> FloatArray:
     """Times as numbers; raises ParameterError unless there are two and they increase."""
-    times = matrix("t", t, 1)[0]
+    times: FloatArray = matrix("t", t, 1)[0]
     if len(times) < 2 or np.diff(times).min() <= 0.0:
         raise ParameterError(f"t must be at least two increasing times, received {t!r:.80}", field="t")
     return times

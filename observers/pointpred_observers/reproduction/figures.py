@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from inspect import getdoc
 from pathlib import Path
 from typing import Any
 
-from pointpred.drawing import Look, Panel, beside
+from pointpred.drawing import Panel, beside
 from pointpred.reproduction.figure import CAMERA, THESIS, Entry, Reproduction
 
 
@@ -27,6 +27,16 @@ def figure(number: str, reads: str = "") -> Callable[[Callable[[Path | None], Re
     return listed
 
 
-def panel(name: str, t: Any, *lines: tuple[Any, str, Look], **more: Any) -> Panel:
+def panel(name: str, t: Any, *lines: tuple[Any, str, Any], **more: Any) -> Panel:
     """Lines over the same t, each (y, label, look); ``more`` of ``Panel``."""
     return Panel(name, beside(t, *lines), **more)
+
+
+def panels(names: Sequence[str], t: Any, *tables: tuple[Any, str, Any], **more: Any) -> list[Panel]:
+    """A panel for each name, of that column of each table; a ``#`` in a label is the column's number."""
+    return [
+        panel(
+            name, t, *((y[:, i], label.replace("#", str(i + 1)), look) for y, label, look in tables), **more
+        )
+        for i, name in enumerate(names)
+    ]

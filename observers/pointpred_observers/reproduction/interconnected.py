@@ -14,7 +14,7 @@ from pointpred.reproduction.figure import Reproduction, Value, matrix_values
 from pointpred_observers import steady_state_map, trajectory
 from pointpred_observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
 from pointpred_observers.interconnected.design import DrivenObserver
-from pointpred_observers.reproduction.figures import figure, panel
+from pointpred_observers.reproduction.figures import figure, panel, panels
 from pointpred_observers.thesis import closed_loop, residuals
 from pointpred_observers.trajectories import SeededSignal
 
@@ -54,12 +54,10 @@ def figure_3_3(_: Path | None) -> Reproduction:
     y = x[:, 0] + np.array([noise(one)[0] for one in t])
     psi = (plant.C0 @ maps.Pi)[0]
     off = np.linalg.norm(x - w @ maps.Pi.T, axis=1)
-    panels = (
-        panel(
-            "output", t, (y, "Y measured", "truth"), (w @ psi, "psi", "first"), (z @ psi, "psi^", "second")
-        ),
-        panel("w1", t, (w[:, 0], "w1", "first"), (z[:, 0], "w1^", "second")),
-        panel("w2", t, (w[:, 1], "w2", "first"), (z[:, 1], "w2^", "second")),
+    outputs = (y, "Y measured", "truth"), (w @ psi, "psi", "first"), (z @ psi, "psi^", "second")
+    drawn = (
+        panel("output", t, *outputs),
+        *panels(("w1", "w2"), t, (w, "w#", "first"), (z, "w#^", "second")),
         panel("distance", t, (off, "norm of x - Pi w", "third")),
     )
     values = (
@@ -70,7 +68,7 @@ def figure_3_3(_: Path | None) -> Reproduction:
         Value("largest abs(w - w^) in the last 5 s", float(np.abs(w - z)[t >= 20.0].max())),
         Value("largest norm of x - Pi w in the last 5 s", float(off[t >= 20.0].max())),
     )
-    return Reproduction(values, drawing("Figure 3.3, example 1", panels), SIMULATED)
+    return Reproduction(values, drawing("Figure 3.3, example 1", drawn), SIMULATED)
 
 
 def inflow(t: Any) -> FloatArray:
@@ -106,10 +104,8 @@ def figure_3_4(_: Path | None) -> Reproduction:
     reactor, t = Bioreactor(), np.arange(0.0, 60.0, 0.1)
     states = digestion(t, (0.0, 0.0), projected=True)
     steady = np.column_stack([states[:, 2:4], inflow(t)]) @ reactor.printed_map[:2].T
-    panels = [
-        panel(name, t, (states[:, i], f"x{i + 1}", "first"), (steady[:, i], f"(Pi w){i + 1}", "second"))
-        for i, name in enumerate(("x1, biomass", "x2, substrate"))
-    ]
+    lines = (states, "x#", "first"), (steady, "(Pi w)#", "second")
+    drawn = panels(("x1, biomass", "x2, substrate"), t, *lines)
     left = residuals(reactor.plant, reactor.generator, reactor.printed_map, relaxed=True)
     off = np.abs(states[:, :2] - steady)[np.searchsorted(t, HALF_PERIOD_S) - 1].tolist()
     place = f"at {HALF_PERIOD_S:g} s, before the inflow jumps"
@@ -118,7 +114,7 @@ def figure_3_4(_: Path | None) -> Reproduction:
         Value("largest residual of the equalities with the printed Pi", largest, "0"),
         *(Value(f"abs(x{i} - (Pi w){i}) {place}", one) for i, one in enumerate(off, 1)),
     )
-    return Reproduction(values, drawing("Figure 3.4, example 2: x and Pi w", panels), SIMULATED)
+    return Reproduction(values, drawing("Figure 3.4, example 2: x and Pi w", drawn), SIMULATED)
 
 
 @figure("3.5")
@@ -131,22 +127,19 @@ def figure_3_5(_: Path | None) -> Reproduction:
     t, printed = np.arange(0.0, 60.0, 0.1), Bioreactor.PRINTED_GAIN
     none = digestion(t, (0.0, 0.0), projected=True)
     held, free = digestion(t, printed, projected=True), digestion(t, printed, projected=False)
-    panels = [
-        panel(
-            name,
-            t,
-            (none[:, 2 + i], f"w{i + 1}", "truth"),
-            (none[:, 4 + i], "no gain", "third"),
-            (held[:, 4 + i], "printed gain, projected", "first"),
-            (free[:, 4 + i], "printed gain, not projected", "second"),
-        )
-        for i, name in enumerate(("w1, biomass", "w2, acids"))
-    ]
+    drawn = panels(
+        ("w1, biomass", "w2, acids"),
+        t,
+        (none[:, 2:], "w#", "truth"),
+        (none[:, 4:], "no gain", "third"),
+        (held[:, 4:], "printed gain, projected", "first"),
+        (free[:, 4:], "printed gain, not projected", "second"),
+    )
     at = int(np.searchsorted(t, HALF_PERIOD_S)) - 1
     runs = {"no gain": none, "printed gain, projected": held}
     errors = {name: float(np.linalg.norm(run[at, 2:4] - run[at, 4:])) for name, run in runs.items()}
     values = tuple(Value(f"norm of w - w^ at {HALF_PERIOD_S:g} s, {name}", e) for name, e in errors.items())
-    return Reproduction(values, drawing("Figure 3.5, example 2: the observer", panels), SIMULATED)
+    return Reproduction(values, drawing("Figure 3.5, example 2: the observer", drawn), SIMULATED)
 
 
 def arm_beside_reference(start: float, t: FloatArray) -> FloatArray:
@@ -175,14 +168,14 @@ def figure_3_6(_: Path | None) -> Reproduction:
     """
     t = np.arange(0.0, 40.0, 0.1)
     late = t >= 35.0
-    panels: list[Panel] = []
+    drawn: list[Panel] = []
     values: list[Value] = []
     for start in (15.0, 1.0):
         both, at = arm_beside_reference(start, t), f"w(0) = {start:g}"
         x, w, reference = both[:, :4], both[:, 4:8], both[:, 8:]
         error, off = np.linalg.norm(x - w, axis=1), np.linalg.norm(x - reference, axis=1)
         link = (reference[:, 2], "reference", "truth"), (x[:, 2], "x3", "first"), (w[:, 2], "w3", "second")
-        panels += [
+        drawn += [
             panel(at, t, (error, "norm of x - w", "first"), (off, "norm of x - reference", "second")),
             panel("link [rad]", t, *link),
         ]
@@ -190,7 +183,7 @@ def figure_3_6(_: Path | None) -> Reproduction:
             Value(f"largest norm of x - w in the last 5 s, {at}", float(error[late].max())),
             Value(f"largest norm of x - reference in the last 5 s, {at}", float(off[late].max())),
         ]
-    return Reproduction(tuple(values), drawing("Figure 3.6, example 3", panels), SIMULATED)
+    return Reproduction(tuple(values), drawing("Figure 3.6, example 3", drawn), SIMULATED)
 
 
 @figure("3.7")
@@ -215,14 +208,10 @@ def figure_3_7(_: Path | None) -> Reproduction:
     both = trajectory(field, [0.2, 0.0, 0.2, 0.65, 0.0, 0.5, 0.0, 0.0, 0.0], t, step_s=0.005)
     w, x, z = both[:, :3], both[:, 3:6], both[:, 6:]
     error, apart = np.linalg.norm(w - z, axis=1), np.linalg.norm(x - w, axis=1)
-    panels = [
-        panel(
-            f"state {i + 1}", t, (w[:, i], "w", "truth"), (x[:, i], "x", "third"), (z[:, i], "w^", "second")
-        )
-        for i in range(3)
-    ]
+    names = [f"state {i + 1}" for i in range(3)]
+    drawn = panels(names, t, (w, "w", "truth"), (x, "x", "third"), (z, "w^", "second"))
     lines = (error, "norm of w - w^", "second"), (apart, "norm of x - w", "third")
-    panels.append(panel("distance", t, *lines, logarithmic=True))
+    drawn.append(panel("distance", t, *lines, logarithmic=True))
     values = (
         *matrix_values("L0", g.L0, [["31.43", "0", "0"], ["-1.43", "0", "0"], ["0", "1.7143", "0"]]),
         *matrix_values("L1", g.L1, [["2.857"], ["10"], ["0"]]),
@@ -231,4 +220,4 @@ def figure_3_7(_: Path | None) -> Reproduction:
         Value("norm of w - w^ at 20 s", float(error[-1])),
         Value("norm of x - w at 20 s", float(apart[-1])),
     )
-    return Reproduction(values, drawing("Figure 3.7, example 4", panels), SIMULATED)
+    return Reproduction(values, drawing("Figure 3.7, example 4", drawn), SIMULATED)

@@ -12,7 +12,7 @@ from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred_observers import interlaced, trajectory
 from pointpred_observers.examples import SPRINGS, interlaced_masses, interlaced_states
-from pointpred_observers.reproduction.figures import figure, panel
+from pointpred_observers.reproduction.figures import figure, panel, panels
 from pointpred_observers.trajectories import SeededSignal
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, driven_field, outputs_of
 from pointpred_observers.triangular.system import SymbolicSteadyState
@@ -46,22 +46,15 @@ def _compared(
     t: FloatArray, states: FloatArray, maps: FloatArray, estimate: FloatArray
 ) -> tuple[list[Panel], tuple[Value, ...]]:
     """Panels of the states, their steady state and its estimate; then the largest errors of both."""
-    panels = [
-        panel(
-            f"x{i + 1}",
-            t,
-            (maps[:, i], "steady state", "truth"),
-            (states[:, i], "state", "first"),
-            (estimate[:, i], "estimate", "second"),
-        )
-        for i in range(4)
-    ]
+    names = [f"x{i + 1}" for i in range(4)]
+    lines = (maps, "steady state", "truth"), (states, "state", "first"), (estimate, "estimate", "second")
+    drawn = panels(names, t, *lines)
     errors = {"state - steady state": states - maps, "estimate - state": estimate - states}
     for name, error in errors.items():
-        panels.append(panel("largest error", t, (np.abs(error).max(axis=1), name, "third"), logarithmic=True))
+        drawn.append(panel("largest error", t, (np.abs(error).max(axis=1), name, "third"), logarithmic=True))
     late = t >= 20.0
     ends = {name: float(np.abs(error[late]).max()) for name, error in errors.items()}
-    return panels, tuple(Value(f"largest {name} after 20 s", end) for name, end in ends.items())
+    return drawn, tuple(Value(f"largest {name} after 20 s", end) for name, end in ends.items())
 
 
 def _listed(name: str, expression: Any, printed: dict[str, str]) -> list[Value]:
@@ -90,7 +83,7 @@ def figure_4_2(_: Path | None) -> Reproduction:
 
     system, generator = interlaced_states()
     steady = interlaced(system, generator, 2, generator.states[0], degree=3)
-    panels, ends = _compared(*observed(steady, [1.0, 2.0, 0.5, 0.5, 0.5, 0.5], 0.2, 20.0))
+    drawn, ends = _compared(*observed(steady, [1.0, 2.0, 0.5, 0.5, 0.5, 0.5], 0.2, 20.0))
     numerator = sp.numer(sp.together(steady.input))
     values = (
         *_listed("pi_1", steady.maps[0],
@@ -102,7 +95,7 @@ def figure_4_2(_: Path | None) -> Reproduction:
         *ends,
     )  # fmt: skip
     title = "Figure 4.2, example 8, d = 20 sin 100 t, noise within 0.2"
-    return Reproduction(values, drawing(title, panels, columns=2), "simulated")
+    return Reproduction(values, drawing(title, drawn, columns=2), "simulated")
 
 
 @figure("4.4")
@@ -117,7 +110,7 @@ def figure_4_4(_: Path | None) -> Reproduction:
     steady = interlaced(system, generator, 2, sum(generator.states), degree=3)
     t, *relative = observed(steady, [0.1, 0.0, 0.0, 0.0, 0.0, 0.0], 0.05, gain=[[0.33], [0.6]])
     back = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [1, 0, -1, 0], [0, 1, 0, -1]]).T
-    panels, ends = _compared(t, *(one @ back for one in relative))
+    drawn, ends = _compared(t, *(one @ back for one in relative))
     values = (
         *_listed(
             "tau1", steady.maps[0] / -3.0, dict(zip(CUBIC, ("-11/9", "4/3", "-4/3", "-11/9"), strict=True))
@@ -127,4 +120,4 @@ def figure_4_4(_: Path | None) -> Reproduction:
         *ends,
     )
     title = "Figure 4.4, example 9, noise within 0.05"
-    return Reproduction(values, drawing(title, panels, columns=2), "simulated, from rest")
+    return Reproduction(values, drawing(title, drawn, columns=2), "simulated, from rest")

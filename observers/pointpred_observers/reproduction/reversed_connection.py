@@ -14,7 +14,7 @@ from pointpred_observers import NonlinearRegressor, RecursiveLeastSquares, invar
 from pointpred_observers.examples import UNMEASURED, fused, pushes, two_masses, two_sensors, vapours
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
-from pointpred_observers.reproduction.figures import figure, panel
+from pointpred_observers.reproduction.figures import figure, panel, panels
 
 SNIFFER = "sniffer.csv"
 PREDICTORS = ("tank temperature", "gas temperature", "tank pressure", "gas pressure")
@@ -48,19 +48,17 @@ def figure_3_8(_: Path | None) -> Reproduction:
         "printed Upsilon": (printed, "second"),
         "diag(-1, 1), global": (invariant_observer(plant, UNMEASURED, [[-1.0, 0.0], [0.0, 1.0]]), "third"),
         "designed, y within f": (
-            ReducedOrderObserver.design(plant, Pi=UNMEASURED, decay=0.5, injection=True).observer,
+            ReducedOrderObserver.design(plant, Pi=UNMEASURED, decay=0.5).observer,
             "first",
         ),
     }
     runs = {name: (*observed_masses(observer, t), look) for name, (observer, look) in looks.items()}
     x = next(iter(runs.values()))[0]
-    panels = []
-    for i in (2, 3):
-        estimated = [(estimate[:, i], name, look) for name, (_, estimate, look) in runs.items()]
-        panels.append(panel(f"x{i + 1}", t, (x[:, i], f"x{i + 1}", "truth"), *estimated))
+    estimated = [(estimate, name, look) for name, (_, estimate, look) in runs.items()]
+    drawn = panels(("x1", "x2", "x3", "x4"), t, (x, "x#", "truth"), *estimated)[2:]
     errors = {name: np.linalg.norm(estimate - true, axis=1) for name, (true, estimate, _) in runs.items()}
     lines = [(errors[name] + 1e-12, name, look) for name, (_, _, look) in runs.items()]
-    panels.append(panel("norm of the error", t, *lines, logarithmic=True))
+    drawn.append(panel("norm of the error", t, *lines, logarithmic=True))
     now, at = printed.at(0.0), t.searchsorted(10.0)
     values = (
         *matrix_values("S0", now.S0, [["0", "1"], ["-3.6", "-2.6"]]),
@@ -71,7 +69,7 @@ def figure_3_8(_: Path | None) -> Reproduction:
         *matrix_values("B", now.B, [["0", "-1"], ["-0.6", "0.6"]]),
         *(Value(f"norm of the error at 10 s, {name}", float(one[at])) for name, one in errors.items()),
     )
-    return Reproduction(values, drawing("Figure 3.8, example 5", panels), "simulated, without noise")
+    return Reproduction(values, drawing("Figure 3.8, example 5", drawn), "simulated, without noise")
 
 
 @figure("3.9")
@@ -86,17 +84,16 @@ def figure_3_9(_: Path | None) -> Reproduction:
     stage = NonlinearRegressor(2, f="atan", gain=0.75)
     estimate = stage.walk(np.zeros(len(t), np.bool_), np.column_stack([t, j, fused(t), weight]))
     error = np.linalg.norm(estimate - x, axis=1)
-    panels = [
-        panel(f"x{i + 1}", t, (x[:, i], f"x{i + 1}", "truth"), (estimate[:, i], "estimate", "second"))
-        for i in (0, 1)
+    drawn = [
+        *panels(("x1", "x2"), t, (x, "x#", "truth"), (estimate, "estimate", "second")),
+        panel("error", t, (error, "norm", "first")),
     ]
-    panels.append(panel("error", t, (error, "norm", "first")))
     values = (
         Value("x1 at 0 s", float(x[0, 0]), "3"),
         Value("x2 at 0 s", float(x[0, 1]), "5"),
         Value("largest norm of the error in the last 10 s", float(error[t >= 30.0].max())),
     )
-    return Reproduction(values, drawing("Figure 3.9, example 6", panels), "simulated")
+    return Reproduction(values, drawing("Figure 3.9, example 6", drawn), "simulated")
 
 
 def sniffer(data: Path | None) -> tuple[FloatArray, FloatArray] | None:
@@ -151,19 +148,19 @@ def figure_3_10(data: Path | None) -> Reproduction:
     exact, ridge = estimates(rows, outputs, 0.0), estimates(rows, outputs, 1.0)
     ordinary = np.linalg.lstsq(rows, outputs, rcond=None)[0].tolist()
     k = np.arange(len(rows)) + 1.0
-    panels, values = [], []
+    drawn, values = [], []
     for i, (name, reach) in enumerate(zip(PREDICTORS, (1.0, 1.0, 30.0, 30.0), strict=True)):
         lines = (
             (np.full(len(k), ordinary[i]), "least squares", "truth"),
             (exact[:, i], "exact start", "first"),
             (ridge[:, i], "ridge 1", "second"),
         )
-        panels.append(panel(name, k, *lines, x="sample", limits=(ordinary[i] - reach, ordinary[i] + reach)))
+        drawn.append(panel(name, k, *lines, x="sample", limits=(ordinary[i] - reach, ordinary[i] + reach)))
         values += [
             Value(f"{name}, recursive, at the end", float(exact[-1, i])),
             Value(f"{name}, least squares by LAPACK", ordinary[i]),
         ]
-    return Reproduction(tuple(values), drawing("Figure 3.10, example 7: parameters", panels), source)
+    return Reproduction(tuple(values), drawing("Figure 3.10, example 7: parameters", drawn), source)
 
 
 @figure("3.11", reads=SNIFFER)

@@ -152,7 +152,8 @@ class _Solving:
 
     def _missing(self, x: Any, besides: set[Any]) -> set[Any]:
         """The symbols of a row that are not solved yet."""
-        return (self.rows[x].free_symbols & self.symbols) - self.maps.keys() - besides
+        wanted: set[Any] = self.rows[x].free_symbols & self.symbols
+        return wanted - self.maps.keys() - besides
 
     def _divide(self, following: dict[Any, Any]) -> bool:
         """Proposition 4.3.1: a row of the lower part gives the unknown that it contains first."""

@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
-from pointpred.records import FloatArray
+from pointpred.records import FloatArray, FloatTable
 from pointpred_observers import equalities
 from pointpred_observers.matrices import matrix
 
@@ -29,6 +30,28 @@ CANCELLED = 4.0 * equalities.REMAINDER
 to zero at any of the points."""
 POINTS = 16
 SEED = 20211217
+
+
+@law
+def weigh(axes: FloatTable, p: FloatArray, weights: FloatArray) -> bool:
+    """The weight of each vertex of a box at a point; false for a point outside.
+
+    ``axes``: low and high of each variable; the last one changes fastest.
+    """
+    count = 1
+    weights[0] = 1.0
+    for axis in range(len(axes)):
+        low, high = axes[axis, 0], axes[axis, 1]
+        slack = BORDER * (high - low)
+        if not low - slack <= p[axis] <= high + slack:
+            return False
+        if low < high:
+            up = min(max((p[axis] - low) / (high - low), 0.0), 1.0)
+            for i in range(count - 1, -1, -1):
+                weights[2 * i + 1] = weights[i] * up
+                weights[2 * i] = weights[i] * (1.0 - up)
+            count *= 2
+    return True
 
 
 class Box:
@@ -69,6 +92,11 @@ class Box:
     def names(self) -> tuple[str, ...]:
         """The scheduling variables in order."""
         return tuple(self.bounds)
+
+    @property
+    def axes(self) -> FloatArray:
+        """Low and high of each variable."""
+        return np.array(list(self.bounds.values()))
 
     @property
     def vertices(self) -> FloatArray:
@@ -113,12 +141,9 @@ class Box:
                 field=name,
                 value=point[name],
             )
-        shares = np.ones(1)
-        for name, (low, high) in self.bounds.items():
-            if low < high:
-                up = min(max((point[name] - low) / (high - low), 0.0), 1.0)
-                shares = np.outer(shares, (1.0 - up, up)).ravel()
-        return shares
+        weights = np.zeros(len(self.vertices))
+        weigh(self.axes, np.array([point[name] for name in self.names], np.float64), weights)
+        return weights
 
     def mixed(self, matrices: FloatArray, point: Point) -> FloatArray:
         """The matrix at a point of the box from those at its vertices, (vertices, rows, columns)."""
@@ -193,7 +218,7 @@ def at_vertices(function: Scheduled, box: Box, name: str, terms: Scheduled | Non
 
 def samples(box: Box) -> list[dict[str, float]]:
     """The middle of a box and points that are spread in it, the same every time."""
-    lows, highs = np.array(list(box.bounds.values())).T
+    lows, highs = box.axes.T
     random = np.random.default_rng(SEED)
     shares = np.vstack([np.full(len(lows), 0.5), random.uniform(size=(POINTS, len(lows)))])
     return [box.named(lows + share * (highs - lows)) for share in shares]

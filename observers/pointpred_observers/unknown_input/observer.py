@@ -303,7 +303,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
     @property
     def reducible(self) -> bool:
         """Whether C T = 0: with as many outputs as unknown inputs no gain is needed."""
-        return self.system.f(self.box.corners[0]).shape[1] == len(self.system.c)
+        return bool(self.system.f(self.box.corners[0]).shape[1] == len(self.system.c))
 
     @property
     def fastest(self) -> float:

@@ -13,7 +13,7 @@ from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.records import FloatArray, FloatTable
 from pointpred_observers.eigenvalues import perron_root
-from pointpred_observers.unknown_input.boxes import BORDER, Point
+from pointpred_observers.unknown_input.boxes import Point, weigh
 from pointpred_observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ class UnknownInputSample(msgspec.Struct, frozen=True):
     """
 
     t: float
-    y: FloatArray | None
+    y: Any
     known: FloatArray
     schedule: Schedule
 
@@ -59,26 +59,12 @@ class UnknownInputEstimate(msgspec.Struct, frozen=True):
 
 @law
 def mix(corners: FloatTable, axes: FloatTable, p: FloatArray, weights: FloatArray, block: FloatArray) -> bool:
-    """The matrices at a point of a box from those at its vertices, a row each; false for one outside.
-
-    ``axes``: low and high of each variable; the last one changes fastest.
-    """
-    count = 1
-    weights[0] = 1.0
-    for axis in range(len(axes)):
-        low, high = axes[axis, 0], axes[axis, 1]
-        slack = BORDER * (high - low)
-        if not low - slack <= p[axis] <= high + slack:
-            return False
-        if low < high:
-            up = min(max((p[axis] - low) / (high - low), 0.0), 1.0)
-            for i in range(count - 1, -1, -1):
-                weights[2 * i + 1] = weights[i] * up
-                weights[2 * i] = weights[i] * (1.0 - up)
-            count *= 2
+    """The matrices at a point of a box from those at its vertices, a row each; false for one outside."""
+    if not weigh(axes, p, weights):
+        return False
     for j in range(len(block)):
         block[j] = 0.0
-    for i in range(count):
+    for i in range(len(weights)):
         if weights[i] != 0.0:
             for j in range(len(block)):
                 block[j] += weights[i] * corners[i, j]
@@ -133,17 +119,6 @@ def push(
             space[STAGE, i] = space[BASE, i] + (h if part == 2 else 0.5 * h) * rate
 
 
-class _Measured(msgspec.Struct, frozen=True):
-    """A sample as arrays, NaN for each missing output."""
-
-    t: float
-    y: FloatArray
-    known: FloatArray
-    schedule: Schedule
-    whole: bool
-    """Whether no output is missing."""
-
-
 class UnknownInputStage:
     """A ``Stage[UnknownInputSample, UnknownInputEstimate]`` that runs a design.
 
@@ -189,15 +164,16 @@ class UnknownInputStage:
         corners = [design.equations(point) for point in design.box.corners]
         self._corners = np.array([np.concatenate([part.ravel() for part in one]) for one in corners])
         self._moving = any(not np.array_equal(one[2], corners[0][2]) for one in corners)  # E
-        self._axes = np.array(list(design.box.bounds.values()))
+        self._axes = design.box.axes
         self._fastest = design.fastest
         self.reset()
 
     def reset(self) -> None:
         """Forget every sample."""
         outputs, n = self.design.system.c.shape
-        self._last: _Measured | None = None
-        self._x, self._motion = self.start, (np.zeros(outputs), np.zeros((outputs, 0)))
+        self._last: UnknownInputSample | None = None
+        self._whole, self._x = True, self.start
+        self._motion: tuple[FloatArray | None, FloatArray] = None, np.zeros((outputs, 0))
         self._p: list[float] | None = None
         self._inside = False
         self._block, self._weights = np.zeros(self._corners.shape[1]), np.zeros(len(self._corners))
@@ -212,24 +188,25 @@ class UnknownInputStage:
     def update(self, given: UnknownInputSample, /) -> UnknownInputEstimate:
         """Consume one sample; a refused one changes nothing."""
         sample, old, system = self._checked(given), self._last, self.design.system
-        y, whole = sample.y, sample.whole
+        whole = not np.isnan(sample.y).any()
+        bridged = not (whole and self._whole)
         if old is None:
-            seen = ~np.isnan(y)
-            x = self.start + np.linalg.pinv(system.c[seen]) @ (y - system.c @ self.start)[seen]
-        elif not (whole and old.whole):
-            x, whole = self._bridged(self._x, old, sample), False
+            seen = ~np.isnan(sample.y)
+            x = self.start + np.linalg.pinv(system.c[seen]) @ (sample.y - system.c @ self.start)[seen]
+        elif bridged:
+            x = self._bridged(self._x, old, sample)
         elif system.time == "discrete":
             x = self._onward(self._x, old, sample)
         else:
             x = self._carried(self._x, old, sample)
         point = sample.schedule(x)
-        certified = whole and not self.design.box.outside(point)
+        certified = not (bridged or self.design.box.outside(point))
         motion = self._moved(x, point, sample)
         d, spread = self._reconstructed(motion, old, sample)
-        self._x, self._last, self._motion = x, sample, motion
+        self._x, self._last, self._whole, self._motion = x, sample, whole, motion
         return UnknownInputEstimate(sample.t, x, certified, d, spread)
 
-    def _mixed(self, old: _Measured, new: _Measured, s: float, x: FloatArray) -> None:
+    def _mixed(self, old: UnknownInputSample, new: UnknownInputSample, s: float, x: FloatArray) -> None:
         """The matrices at a share of the interval between two samples, where the estimate is x."""
         before, after = old.schedule(x), new.schedule(x)
         names = self.design.box.names
@@ -248,7 +225,7 @@ class UnknownInputStage:
             self._block[:] = np.concatenate([part.ravel() for part in parts])
         self._p = p
 
-    def _carried(self, x: FloatArray, old: _Measured, new: _Measured) -> FloatArray:
+    def _carried(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
         """The estimate at the next sample, with every output measured."""
         steps, space, ends = _steps(old, new, self._fastest), self._space, self._ends
         h, outputs = (new.t - old.t) / steps, len(old.y)
@@ -263,18 +240,18 @@ class UnknownInputStage:
                 push(self._block, self.design.system.c, ends, s, part, h, space)
         return self._estimate(old, new, 1.0)
 
-    def _estimate(self, old: _Measured, new: _Measured, s: float) -> FloatArray:
+    def _estimate(self, old: UnknownInputSample, new: UnknownInputSample, s: float) -> FloatArray:
         """x_hat; E depends on measured variables only, so z may stand in for the estimate."""
         if self._moving or not self._inside:
             self._mixed(old, new, s, self._space[STAGE].copy())
         estimated(self._block, self._ends, s, self._space)
-        return self._space[ESTIMATE].copy()
+        return np.array(self._space[ESTIMATE])
 
     def _e(self) -> FloatArray:
         outputs, n = self.design.system.c.shape
-        return self._block[n * (n + outputs) : n * (n + 2 * outputs)].reshape(n, outputs)
+        return np.asarray(self._block[n * (n + outputs) : n * (n + 2 * outputs)].reshape(n, outputs))
 
-    def _onward(self, x: FloatArray, old: _Measured, new: _Measured) -> FloatArray:
+    def _onward(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
         """The next estimate of a discrete system, by E and T of the step that ends there."""
         outputs, n = self.design.system.c.shape
         self._mixed(old, old, 0.0, x)
@@ -283,7 +260,7 @@ class UnknownInputStage:
         z += k.reshape(n, outputs) @ (old.y - self.design.system.c @ x)
         return np.asarray(z - self._e() @ new.y, np.float64)
 
-    def _bridged(self, x: FloatArray, old: _Measured, new: _Measured) -> FloatArray:
+    def _bridged(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
         """The estimate at the next sample by the model, corrected along F by the measured outputs."""
         system, latest, point = self.design.system, self.reconstruction.latest, old.schedule(x)
         try:
@@ -317,7 +294,9 @@ class UnknownInputStage:
         inverse = np.linalg.pinv(system.c[seen] @ f, rcond=SINGULAR)
         return np.asarray(x + f @ inverse @ (new.y - system.c @ x)[seen], np.float64)
 
-    def _moved(self, x: FloatArray, point: Point, sample: _Measured) -> tuple[FloatArray | None, FloatArray]:
+    def _moved(
+        self, x: FloatArray, point: Point, sample: UnknownInputSample
+    ) -> tuple[FloatArray | None, FloatArray]:
         """C (A x + b) and C F at a sample; ``None`` where the point lacks a variable of A."""
         system = self.design.system
         g = system.c @ system.f(point)
@@ -327,7 +306,10 @@ class UnknownInputStage:
             return None, g
 
     def _reconstructed(
-        self, motion: tuple[FloatArray | None, FloatArray], old: _Measured | None, new: _Measured
+        self,
+        motion: tuple[FloatArray | None, FloatArray],
+        old: UnknownInputSample | None,
+        new: UnknownInputSample,
     ) -> tuple[FloatArray, FloatArray]:
         """The unknown input of the interval, from the known part of the outputs' motion at its ends."""
         (known, g), (after, g_after) = self._motion, motion
@@ -338,7 +320,7 @@ class UnknownInputStage:
             known, g = 0.5 * (known + after), 0.5 * (g + g_after)
         return self.reconstruction.update(known, g, new.t - old.t, old.y, new.y)
 
-    def _checked(self, sample: UnknownInputSample) -> _Measured:
+    def _checked(self, sample: UnknownInputSample) -> UnknownInputSample:
         if not isinstance(sample, UnknownInputSample):
             raise EventError(
                 "update needs an UnknownInputSample, with y=None where every output is missing, received "
@@ -346,8 +328,7 @@ class UnknownInputStage:
             )
         outputs, n = self.design.system.c.shape
         y = np.full(outputs, np.nan) if sample.y is None else sample.y
-        whole = np.shape(y) == (outputs,) and bool(np.isfinite(y).all())
-        if not whole and (np.shape(y) != (outputs,) or np.isinf(y).any()):
+        if np.shape(y) != (outputs,) or np.isinf(y).any():
             raise EventError(
                 f"y needs {outputs} finite numbers, NaN for a missing one, received {sample.y!r:.80}",
                 field="y",
@@ -366,11 +347,11 @@ class UnknownInputStage:
                 field="t",
                 value=sample.t,
             )
-        known = np.asarray(sample.known, np.float64)
-        return _Measured(sample.t, np.asarray(y, np.float64), known, sample.schedule, whole)
+        y, known = np.asarray(y, np.float64), np.asarray(sample.known, np.float64)
+        return UnknownInputSample(sample.t, y, known, sample.schedule)
 
 
-def _steps(old: _Measured, new: _Measured, fastest: float) -> int:
+def _steps(old: UnknownInputSample, new: UnknownInputSample, fastest: float) -> int:
     """Steps of an integration that are short beside 1 / ``fastest``; raises EventError for too many."""
     dt = new.t - old.t
     if not dt * fastest <= STEPS_MOST:

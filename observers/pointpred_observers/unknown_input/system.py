@@ -218,8 +218,8 @@ class ParameterVaryingSystem:
             return
         forces = at_vertices(self.f, box, "F")
         for name, (low, high) in box.bounds.items():
-            ends = [box.mixed(forces, {**box.corners[0], name: end}) for end in (low, high)]
-            if name not in self.rates and not np.array_equal(*ends):
+            first, last = (box.mixed(forces, {**box.corners[0], name: end}) for end in (low, high))
+            if name not in self.rates and not np.array_equal(first, last):
                 raise ParameterError(f"F varies with {name}: its rate must be a scheduling variable too")
 
     def _require_decoupled(self, box: Box) -> None:

@@ -169,7 +169,7 @@ def test_missing_images_mean_prediction_only() -> None:
 
 def test_nothing_is_said_before_the_first_image() -> None:
     stage = observer()
-    before = stage.update(CameraSample(0.0, None, None, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    before = stage.update(CameraSample(0.0, np.nan, np.nan, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert np.isnan([before.chi, before.eta]).all()
     assert not before.detectable
     first = stage.update(CameraSample(0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))

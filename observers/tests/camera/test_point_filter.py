@@ -14,12 +14,10 @@ from pointpred_observers.camera import (
     CameraColumns,
     Noise,
     PointFilter,
-    Scenario,
     kinematics,
     simulate,
-    trajectory,
 )
-from pointpred_observers.camera.samples import observed
+from pointpred_observers.camera.scenario import Scenario, observed, trajectory
 
 FOCAL = 800.0
 
@@ -175,7 +173,7 @@ def test_rows_chunks_and_pickles_agree() -> None:
     rest = pickle.loads(pickle.dumps(stage)).run(CameraColumns(samples.table[100:]))
     assert np.array_equal(rest.state, whole.state[100:], equal_nan=True)
     stage.reset()
-    records = [stage.update(sample) for sample in samples.samples()]
+    records = [stage.update(sample) for sample in samples]
     last = records[-1]
     assert last is not None
     assert np.array_equal(last.state, whole.state[-1])
