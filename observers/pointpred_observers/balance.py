@@ -67,12 +67,6 @@ def outward(matrix: Any, rows: FloatArray, columns: FloatArray, unit: float = 1.
     return entries
 
 
-def form(matrix: Any, units: FloatArray, unit: float = 1.0) -> FloatArray:
-    """A quadratic form of the balanced coordinates in the user's units, divided by ``unit``."""
-    entries: FloatArray = np.asarray(matrix, np.float64) / (units * units[:, None] * unit)
-    return entries
-
-
 def balanced(
     drift: Any,
     *,

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred_observers.triangular.interlaced_certificate import certify
 
 from pointpred.errors import ParameterError
 from pointpred_observers import Generator, Persidskii, invariant_observer
@@ -15,6 +14,7 @@ from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalit
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import certify_tracking, undetectable
+from pointpred_observers.triangular.interlaced_observer import certify
 from pointpred_observers.unknown_input.boxes import Box
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 from pointpred_observers.unknown_input.system import ParameterVaryingSystem
