@@ -56,9 +56,6 @@ def inward(matrix: Any, rows: FloatArray, columns: FloatArray, unit: float = 1.0
     """A matrix of the user's in balanced units: its rows have the units ``rows``, and it acts on ``columns``.
 
     ``unit`` is what else it is multiplied by: the unit of time for a matrix in 1/s.
-
-    >>> inward([[0.0, 2.0], [1.0, 0.0]], np.array([1.0, 2.0]), np.array([1.0, 2.0])).tolist()
-    [[0.0, 4.0], [0.5, 0.0]]
     """
     entries: FloatArray = unit * np.asarray(matrix, np.float64) * columns / rows[:, None]
     return entries
@@ -67,16 +64,6 @@ def inward(matrix: Any, rows: FloatArray, columns: FloatArray, unit: float = 1.0
 def outward(matrix: Any, rows: FloatArray, columns: FloatArray, unit: float = 1.0) -> FloatArray:
     """The inverse of ``inward``."""
     entries: FloatArray = np.asarray(matrix, np.float64) * rows[:, None] / columns / unit
-    return entries
-
-
-def form(matrix: Any, units: FloatArray, unit: float = 1.0) -> FloatArray:
-    """A quadratic form of the balanced coordinates in the user's units, divided by ``unit``.
-
-    >>> form([[1.0, 0.0], [0.0, 1.0]], np.array([1.0, 10.0])).tolist()
-    [[1.0, 0.0], [0.0, 0.01]]
-    """
-    entries: FloatArray = np.asarray(matrix, np.float64) / (units * units[:, None] * unit)
     return entries
 
 

@@ -67,17 +67,12 @@ def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
 
 
 def _sampled(
-    a: FloatArray, parts: list[FloatArray], step_s: float, method: str
+    a: FloatArray, parts: list[FloatArray], step_s: float, method: Any
 ) -> tuple[FloatArray, list[FloatArray]]:
-    widths = np.cumsum([one.shape[1] for one in parts])[:-1]
-    drive, n = np.hstack(parts), len(a)
-    if method == "euler":
-        onward, driven = np.eye(n) + step_s * a, step_s * drive
-    else:
-        from scipy.linalg import expm
+    from scipy.signal import cont2discrete
 
-        whole = np.zeros((n + drive.shape[1],) * 2)
-        whole[:n, :n], whole[:n, n:] = a, drive
-        moved = np.asarray(expm(step_s * whole), np.float64)
-        onward, driven = moved[:n, :n], moved[:n, n:]
-    return onward, np.split(driven, widths, axis=1)
+    widths = np.cumsum([one.shape[1] for one in parts])[:-1]
+    drive, none = np.hstack(parts), np.zeros((0, len(a)))
+    system: Any = a, drive, none, np.zeros((0, drive.shape[1]))
+    held: Any = cont2discrete(system, step_s, method)
+    return np.asarray(held[0], np.float64), np.split(np.asarray(held[1], np.float64), widths, axis=1)

@@ -27,9 +27,6 @@ def require_decay(corners: Iterable[tuple[str, FloatArray]], time: str, what: st
 
     Parameters: ``corners`` name and matrix of each, "" for the only one of a linear system.
     Raises InfeasibleError naming an eigenvalue that does not decay, and its corner.
-
-    >>> require_decay([("", np.diag([-1.0, -2.0]))], "continuous", "the error system")
-    -1.0
     """
     slowest, discrete = -np.inf, time == "discrete"
     for name, a in corners:
@@ -46,11 +43,7 @@ def require_decay(corners: Iterable[tuple[str, FloatArray]], time: str, what: st
 
 
 def unsettled(a: FloatArray, time: str = "continuous") -> list[tuple[complex, str]]:
-    """The eigenvalues with which w' = a w is not neutrally stable, each with what its motion does.
-
-    >>> unsettled(np.array([[0.0, 1.0], [-1.0, 0.0]])), unsettled(np.array([[-1.0]]))
-    ([], [((-1+0j), 'a motion of the eigenvalue {} decays')])
-    """
+    """The eigenvalues with which w' = a w is not neutrally stable, each with what its motion does."""
     size = float(np.linalg.norm(a, 2)) or 1.0
     values = np.linalg.eigvals(a).astype(np.complex128)
     listed = []
@@ -73,19 +66,12 @@ def perron_root(entries: FloatArray) -> float:
     """The largest eigenvalue of the absolute entries, a bound of every eigenvalue.
 
     It does not change with the units of the states; that of no states is 0.
-
-    >>> round(perron_root(np.array([[0.0, -4.0], [1.0, 0.0]])), 9)
-    2.0
     """
     return float(np.abs(np.linalg.eigvals(np.abs(entries))).max(initial=0.0))
 
 
 def number_text(value: complex) -> str:
-    """A number with six digits, without an imaginary part of zero.
-
-    >>> number_text(-2.0 + 0.0j), number_text(0.5 - 1.0j)
-    ('-2', '0.5-1j')
-    """
+    """A number with six digits, without an imaginary part of zero."""
     return f"{value.real:.6g}" if value.imag == 0.0 else f"{value:.6g}"
 
 

@@ -22,10 +22,6 @@ def without_rounding(whole: FloatArray, *terms: FloatArray, share: float = REMAI
 
     An entry of 1e-17 that should be 0 would count as a coupling when units are chosen, and as an f that
     still acts. ``share``: below which share of its terms an entry is rounding.
-
-    >>> first, second = np.array([0.1 + 0.2, 0.5]), np.array([-0.3, 0.5])
-    >>> without_rounding(first + second, first, second).tolist()
-    [0.0, 1.0]
     """
     sizes = sum((np.abs(one) for one in terms), np.zeros_like(whole))
     return np.where(np.abs(whole) <= share * sizes, 0.0, whole)
@@ -65,39 +61,23 @@ def share_of_terms(
 
 
 def allowed(terms: FloatArray) -> FloatArray:
-    """How much may be left of each entry: ``TOLERANCE`` of its own terms, and what is rounding.
-
-    >>> allowed(np.array([[2.0, 0.0]])).round(16).tolist()
-    [[2.00002e-09, 2e-14]]
-    """
+    """How much may be left of each entry: ``TOLERANCE`` of its own terms, and what is rounding."""
     return TOLERANCE * terms + row_rounding(terms)
 
 
 def row_rounding(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
-    """What is rounding of each entry: a share of the largest term of its row, in the unit of its column.
-
-    >>> bool(row_rounding(np.array([[1e-17, 2.0], [3.0, 1.0]]))[0, 0] > 1e-17)
-    True
-    """
+    """What is rounding of each entry: a share of the largest term of its row, in the unit of its column."""
     return NO_DIGIT * row_terms(terms, units)
 
 
 def row_terms(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
-    """The largest term of each row, in the ``units`` (columns,) of each column; the shape of the terms.
-
-    >>> row_terms(np.array([[4.0, 2.0], [0.5, 1.0]])).tolist()
-    [[4.0, 4.0], [1.0, 1.0]]
-    """
+    """The largest term of each row, in the ``units`` (columns,) of each column; the shape of the terms."""
     columns = column_units(terms) if units is None else units
     return np.asarray((terms / columns).max(axis=1, initial=0.0)[:, None] * columns, np.float64)
 
 
 def column_units(stacked: FloatArray) -> FloatArray:
-    """A unit for each column of rows that have units of their own: its largest share of a row, 1 if none.
-
-    >>> column_units(np.array([[2e6, 4.0], [1.0, 0.0]])).tolist()
-    [1.0, 2e-06]
-    """
+    """A unit for each column of rows that have units of their own: its largest share of a row, 1 if none."""
     sizes = np.abs(stacked)
     return or_one((sizes / or_one(sizes.max(axis=1, initial=0.0))[:, None]).max(axis=0, initial=0.0))
 
@@ -114,10 +94,6 @@ def nearest_solutions(
 
     Parameters: ``stacked`` the residuals (rows,) at given numbers (columns,), affine in them, and ``slope``
     its derivative (rows, columns).
-
-    >>> stacked = lambda numbers: np.array([2.0 * numbers[0] - 6.0, 1e6 * numbers[1]])
-    >>> nearest_solutions(stacked, np.array([[2.0, 0.0], [0.0, 1e6]]))[0].round(12).tolist()
-    [3.0, 0.0]
     """
     columns = or_one(np.abs(slope).max(axis=0, initial=0.0))
     rows = or_one(np.abs(slope / columns).max(axis=1, initial=0.0))

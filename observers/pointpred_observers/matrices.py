@@ -54,11 +54,7 @@ def matrix(name: str, value: Any, rows: int | None = None, columns: int | None =
 
 
 def dimensions(value: Any) -> int:
-    """How many dimensions an array has; 0 for rows of different lengths, which are none.
-
-    >>> dimensions([1.0, 2.0]), dimensions([[1.0], [2.0, 3.0]])
-    (1, 0)
-    """
+    """How many dimensions an array has; 0 for rows of different lengths, which are none."""
     try:
         return int(np.ndim(value))
     except ValueError:
@@ -69,10 +65,6 @@ def moments(varying: str, times: Sequence[float] | None, purpose: str) -> list[f
     """The times at which a statement is to hold: those passed, or only 0 if nothing varies.
 
     Raises ParameterError if something varies and no time is passed, or one is not finite.
-
-    >>> moments("A0", None, "to hold")
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: A0 varies: give the times at which it is to hold
     """
     if not varying:
         return [0.0]
@@ -82,12 +74,7 @@ def moments(varying: str, times: Sequence[float] | None, purpose: str) -> list[f
 
 
 def positive(name: str, value: Any, *, zero: bool = False) -> float:
-    """A finite number above 0 (or not below it); raises ParameterError, also for text and complex numbers.
-
-    >>> positive("decay", "fast")
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: decay must be finite and above 0, received 'fast'
-    """
+    """A finite number above 0 (or not below it); raises ParameterError, also for text and complex numbers."""
     if not is_number(value) or not 0.0 <= value < np.inf or (value == 0.0 and not zero):
         bound = "not below" if zero else "above"
         raise _wrong(name, f"must be finite and {bound} 0", value)
@@ -102,12 +89,7 @@ def share(name: str, value: Any) -> float:
 
 
 def vector(name: str, value: Any, size: int) -> FloatArray:
-    """An array of ``size`` numbers, not copied; raises ParameterError.
-
-    >>> vector("x", [1.0], 2)
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: x must be 2 numbers, received [1.0]
-    """
+    """An array of ``size`` numbers, not copied; raises ParameterError."""
     try:
         numbers = np.atleast_1d(np.asarray(value, np.float64))
     except (TypeError, ValueError) as unusable:
@@ -118,12 +100,7 @@ def vector(name: str, value: Any, size: int) -> FloatArray:
 
 
 def instance(name: str, value: Any, kind: type[Kind]) -> Kind:
-    """The value, which must be of this kind; raises ParameterError.
-
-    >>> instance("system", 3, dict)
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: system must be a dict, received 3
-    """
+    """The value, which must be of this kind; raises ParameterError."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIOU" else "a"
         raise ParameterError(
@@ -133,12 +110,7 @@ def instance(name: str, value: Any, kind: type[Kind]) -> Kind:
 
 
 def one_of(name: str, value: Any, options: Sequence[str]) -> str:
-    """The value, which must be one of these words; raises ParameterError.
-
-    >>> one_of("time", "soon", ("continuous", "discrete"))
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: time must be 'continuous' or 'discrete', received 'soon'
-    """
+    """The value, which must be one of these words; raises ParameterError."""
     if not isinstance(value, str) or value not in options:
         words = " or ".join(map(repr, options)) if len(options) == 2 else f"one of {', '.join(options)}"
         raise _wrong(name, f"must be {words}", value)
@@ -146,12 +118,7 @@ def one_of(name: str, value: Any, options: Sequence[str]) -> str:
 
 
 def listed(name: str, value: Any) -> Sequence[Any]:
-    """The values of a list, or of anything else that holds several in order; raises ParameterError.
-
-    >>> listed("states", 3)
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: states must be a list, received 3
-    """
+    """The values of a list, or of anything else that holds several in order; raises ParameterError."""
     if isinstance(value, str | dict) or not isinstance(value, Iterable):
         raise _wrong(name, "must be a list", value)
     return list(value)

@@ -21,10 +21,6 @@ def filter_start(
     exp(``decay``) a in discrete time. ``None`` where the equation has no solution or its solver fails.
 
     Reference: Anderson, Moore 1971, section 4.1, for the rate.
-
-    >>> p, u = filter_start(np.array([[1.0]]), np.array([[1.0]]), 2.0, "continuous")
-    >>> bool(1.0 - u[0, 0] / p[0, 0] < -2.0)
-    True
     """
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 

@@ -141,8 +141,6 @@ def test_systems_that_are_no_plant(system: Any, message: str) -> None:
 
 def test_tracking_without_a_nonlinearity() -> None:
     certificate = certify_tracking(OWN, REGULATOR.regulator, REGULATOR.Pi)
-    assert sorted(certificate.regulator.values) == ["Gamma", "P", "Xi"]
-    assert sorted(certificate.error.values) == ["Gamma", "P", "Xi"]
     for values, a in (
         (certificate.regulator.values, OWN.A0 + OWN.B @ REGULATOR.feedback.L0),
         (certificate.error.values, OWN.A0 - REGULATOR.observer.gain @ OWN.C0),

@@ -102,7 +102,7 @@ class Inequalities:
         for one in self.unknowns.listed:
             if one.low > -np.inf:
                 entries = one.numbers(getattr(named, one.name)) - one.low
-                margins[f"{one.name} >= {one.low:g}"] = float(entries.min())
+                margins[f"{one.name} >= {one.low:g}"] = float(entries.min(initial=np.inf))
         for name, block in self.blocks.items():
             margins[name] = self._least(name, block, numbers)[0]
         for name, block in self._equalities.items():

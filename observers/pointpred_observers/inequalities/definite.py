@@ -18,12 +18,14 @@ def least(matrix: FloatArray, sizes: FloatArray | None = None) -> tuple[float, f
     with d = sizes^(-1/2), the matrix does not depend on the units of its rows, and by Sylvester's law it has
     as many positive eigenvalues as M. A solver of eigenvalues errs by a share of the largest one, so that
     the least eigenvalue of a positive M comes from the inverse of the scaled matrix, which is accurate.
-    Raises CertificateError for entries or sizes that overflowed: they prove nothing.
+    Infinite for a matrix without entries. Raises CertificateError for what overflowed: it proves nothing.
 
     >>> graded = np.array([[1e24, 5e11], [5e11, 1.0]])
     >>> [round(one, 6) for one in least(graded)]
     [0.75, 0.5]
     """
+    if not matrix.size:
+        return np.inf, np.inf
     diagonal = np.abs(np.diag(matrix)) if sizes is None else sizes
     if not (np.isfinite(matrix).all() and np.isfinite(diagonal).all()):
         raise CertificateError("an inequality holds numbers that are too large to compute with")
@@ -47,12 +49,7 @@ def least(matrix: FloatArray, sizes: FloatArray | None = None) -> tuple[float, f
 
 
 def solved(matrix: FloatArray, right: FloatArray) -> FloatArray:
-    """The solution X of P X = ``right`` for a positive P whose rows have different units, by scaling them.
-
-    >>> graded = np.array([[1e24, 5e11], [5e11, 1.0]])
-    >>> solved(graded, graded).round(9).tolist()
-    [[1.0, 0.0], [0.0, 1.0]]
-    """
+    """The solution X of P X = ``right`` for a positive P whose rows have different units, by scaling them."""
     d = 1.0 / np.sqrt(np.diag(matrix))
     answer: FloatArray = d[:, None] * np.linalg.solve(matrix * d * d[:, None], right * d[:, None])
     return answer

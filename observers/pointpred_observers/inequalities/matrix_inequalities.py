@@ -133,38 +133,23 @@ class MatrixInequalities(Inequalities):
     ) -> Solution | None:
         """The solution of the least objective, if any; the numbers of ``start`` set the scale."""
         best, numbers = (None, None) if start is None else start
-        bound = -np.inf
+        bound, limit = -np.inf, min(self.kappa, EASY)
         for share in FINER:
             answer = self._run(problem, share * self.margin, numbers)
-            if answer.numbers is not None and self._passes(answer.numbers):
-                solution = self._solution(answer.numbers, minimise, np.inf)
-                if best is None or _value(solution) < _value(best):
-                    best, numbers = solution, answer.numbers
+            best, numbers = self._smaller(answer, minimise, best, numbers)
             if best is None:
                 if answer.numbers is None:
                     return None
                 numbers = answer.numbers  # wrong, but of the right size
                 continue
             least = _value(best)
-            enough = least - GAP * abs(least)
-            limit = min(self.kappa, EASY)
-            bound = max(bound, least_objective(problem, answer.multipliers, limit, enough))
+            bound = max(bound, least_objective(problem, answer.multipliers, limit, least - GAP * abs(least)))
             best = msgspec.structs.replace(best, gap=_gap(least, bound))
             if _gap(least, bound) <= GAP:
                 break
         if best is None or numbers is None or _gap(_value(best), bound) <= WIDE:
             return best
-        return self._narrowed(problem, minimise, (best, numbers), bound)
-
-    def _narrowed(
-        self,
-        problem: Affine,
-        minimise: Block,
-        start: tuple[Solution, FloatArray],
-        bound: float,
-    ) -> Solution:
-        """A smaller objective by bisection, for a minimum at which the solver stalls."""
-        best, numbers = start
+        # A smaller objective by bisection, for a minimum at which the solver stalls.
         low = bound
         for _ in range(HALVINGS):
             high = _value(best)
@@ -173,19 +158,26 @@ class MatrixInequalities(Inequalities):
             cap = np.sqrt(low * high) if low > 1e-6 * high else 1e-3 * high
             for near in (numbers, None):
                 answer = self._run(capped(problem, cap), None, near)
-                if answer.numbers is not None and self._passes(answer.numbers):
-                    solution = self._solution(answer.numbers, minimise, np.inf)
-                    if _value(solution) < high:
-                        best, numbers = solution, answer.numbers
-                        break
+                best, numbers = self._smaller(answer, minimise, best, numbers)
+                if _value(best) < high:
+                    break
             else:
                 low = cap
         answer = self._run(problem, FINER[1] * self.margin, numbers)
+        best, _ = self._smaller(answer, minimise, best, numbers)
+        bound = max(bound, least_objective(problem, answer.multipliers, limit))
+        least_found: Solution = msgspec.structs.replace(best, gap=_gap(_value(best), bound))
+        return least_found
+
+    def _smaller(
+        self, answer: Answer, minimise: Block, best: Any, numbers: FloatArray | None
+    ) -> tuple[Any, FloatArray | None]:
+        """The solution and the numbers of an answer if it passes and is smaller than ``best``, else those."""
         if answer.numbers is not None and self._passes(answer.numbers):
             solution = self._solution(answer.numbers, minimise, np.inf)
-            best = solution if _value(solution) < _value(best) else best
-        bound = max(bound, least_objective(problem, answer.multipliers, min(self.kappa, EASY)))
-        return msgspec.structs.replace(best, gap=_gap(_value(best), bound))
+            if best is None or _value(solution) < _value(best):
+                return solution, answer.numbers
+        return best, numbers
 
     def _search(self, minimise: Block | None, near: Mapping[str, Any] | None) -> tuple[FloatArray, Affine]:
         """Numbers that satisfy the inequalities, and the problem whose kappa they keep; raises if none do."""
@@ -288,7 +280,9 @@ class MatrixInequalities(Inequalities):
         """The problem as numbers, with P below ``kappa`` I."""
         strict, floors, caps, positive = [], [], [], []
         for name, block in self.blocks.items():
-            strict.append(scaled(*self.unknowns.coefficients(name, block))[0])
+            constant, slopes = self.unknowns.coefficients(name, block)
+            if constant.size:
+                strict.append(scaled(constant, slopes)[0])
         for name, rows in self._normal.items():
             constant, slopes = self.unknowns.coefficients(name, attrgetter(name))
             floors.append((np.eye(rows) - constant, -slopes))
@@ -326,10 +320,5 @@ def _value(solution: Solution) -> float:
 def check(
     printed: Mapping[str, Any], theorem: MatrixInequalities, *, rounding: float = 0.0
 ) -> dict[str, float]:
-    """The margins of published matrices, as from ``theorem.check``; raises CertificateError.
-
-    >>> decay = MatrixInequalities("decay").positive("P", 1).below("-2 P", lambda v: -2.0 * v.P)
-    >>> check({"P": 3.0}, decay)
-    {'P > 0': 3.0, '-2 P': 6.0}
-    """
+    """The margins of published matrices, as from ``theorem.check``; raises CertificateError."""
     return theorem.check(printed, rounding=rounding)

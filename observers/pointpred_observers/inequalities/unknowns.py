@@ -83,8 +83,6 @@ class Unknowns:
             raise ParameterError(
                 f"an unknown needs a new name that is an identifier, received {unknown.name!r}"
             )
-        if unknown.rows < 1 or unknown.columns < 1:
-            raise ParameterError(f"{unknown.name} needs at least one entry, received {unknown}")
         self.listed.append(unknown)
 
     @property
@@ -163,13 +161,13 @@ class Unknowns:
             start += one.count
         point = np.cos(np.arange(1.0, self.count + 1.0))
         expected = constant + np.tensordot(point, slopes, 1)
-        error = np.abs(function(self.matrices(point)) - expected).max()
+        error = np.abs(function(self.matrices(point)) - expected).max(initial=0.0)
         if not np.isfinite(error):
             raise ParameterError(
                 f"{name} holds numbers that are too large to compute with: check the largest matrices",
                 field=name,
             )
-        if not error <= AFFINE * max(1.0, np.abs(expected).max()):
+        if not error <= AFFINE * max(1.0, np.abs(expected).max(initial=0.0)):
             raise ParameterError(
                 f"{name} must be affine in the unknown matrices; it is off by {error:.3g}", field=name
             )
@@ -221,8 +219,8 @@ def symmetric(name: str, given: Any) -> FloatArray:
     value: FloatArray = np.atleast_2d(np.asarray(given, np.float64))
     if value.ndim != 2 or value.shape[0] != value.shape[1]:
         raise ParameterError(f"{name} must be a square matrix, received shape {value.shape}", field=name)
-    skew = np.abs(value - value.T).max()
-    if skew > AFFINE * max(1.0, np.abs(value).max()):
+    skew = np.abs(value - value.T).max(initial=0.0)
+    if skew > AFFINE * max(1.0, np.abs(value).max(initial=0.0)):
         raise ParameterError(
             f"{name} must be symmetric; it differs from its transpose by {skew:.3g}", field=name
         )

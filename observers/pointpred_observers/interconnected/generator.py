@@ -132,11 +132,6 @@ def fitted(generator: Any, plant: Plant, name: str = "generator") -> Fitted:
     """Every matrix of a generator, or of a regulator, in the shape that the plant needs.
 
     Raises ParameterError for what is no generator, and naming the matrix that does not fit.
-
-    >>> from pointpred_observers import Persidskii
-    >>> fitted(None, Persidskii([[-1.0]], None, None, "sin"), "regulator")
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: regulator must be a Generator, received None
     """
     return instance(name, generator, Generator).beside(plant)
 
@@ -148,13 +143,6 @@ def require_same_nonlinearity(
 
     The proofs compare f(Hx) with f(Jw): they say nothing of a generator whose own f is another one, nor,
     where ``Pi`` (n, q) is passed, of a J that differs from H Pi by more than rounding of its terms.
-
-    >>> from pointpred_observers import Persidskii
-    >>> plant = Persidskii([[-1.0]], [1.0], [1.0], "sin")
-    >>> require_same_nonlinearity(plant, Generator([[0.0]], [1.0], f="cube"))
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: the generator has an f of its own, cube, and the plant sin: a proof \
-needs one f for both, leave out that of the generator
     """
     used = [one for one in (generator.S1, generator.L1) if one is not None]
     if generator.f is not None and used:

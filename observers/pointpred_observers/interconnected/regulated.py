@@ -228,15 +228,13 @@ class Regulated(msgspec.Struct, frozen=True):
         q, k = tilde.shape
         problem = MatrixInequalities("Assumption 3.2.3").positive("P", q).symmetric("Gamma", q)
         problem.symmetric("Xi", q)
-        for name in ("Omega", "Lambda") if k else ():
-            problem.diagonal(name, k)
+        problem.diagonal("Omega", k).diagonal("Lambda", k)
 
         def block(v: Any) -> FloatArray:
-            weight = weights(v, "Lambda", k)
             upper = s.T @ v.P + v.P @ s + v.Xi
-            across = v.P @ tilde + s.T @ j.T @ weight + j.T @ weights(v, "Omega", k)
-            middle = tilde.T @ j.T @ weight + weight @ j @ tilde
-            lift, none = j.T @ weight, np.zeros((q, q))
+            across = v.P @ tilde + s.T @ j.T @ v.Lambda + j.T @ v.Omega
+            middle = tilde.T @ j.T @ v.Lambda + v.Lambda @ j @ tilde
+            lift, none = j.T @ v.Lambda, np.zeros((q, q))
             return np.block(
                 [
                     [upper, across, v.P, v.P],
@@ -248,7 +246,7 @@ class Regulated(msgspec.Struct, frozen=True):
 
         problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
         problem.above("Xi", lambda v: v.Xi, strict=False)
-        return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ weights(v, "Omega", k) @ j)
+        return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ v.Omega @ j)
 
     def growing(self) -> tuple[str, GrowingMode | None]:
         """A motion that excludes every choice, if one is found, and the matrix that has it.
@@ -305,10 +303,7 @@ class Followed(msgspec.Struct, frozen=True):
         a0, a1, h, bound = self.a0, self.a1, self.h, self.sector
         n, k = a1.shape
         problem = MatrixInequalities("Assumption 3.2.6").positive("P", n).symmetric("Gamma", n)
-        problem.symmetric("Xi", n)
-        if not k:
-            return _linear(problem, a0)
-        problem.number("gamma1").number("gamma2")
+        problem.symmetric("Xi", n).number("gamma1").number("gamma2")
         for name in ("Lambda", "Omega1", "Omega2", "Upsilon"):
             problem.diagonal(name, k)
 
@@ -401,18 +396,3 @@ def _steepest(psi: FloatArray, row: FloatArray) -> float:
 
 def _size(matrix: FloatArray) -> float:
     return float(np.linalg.norm(matrix))
-
-
-def weights(v: Any, name: str, k: int) -> FloatArray:
-    """A diagonal unknown, or the empty matrix where there is no f."""
-    return np.asarray(getattr(v, name) if k else np.zeros((0, 0)), np.float64)
-
-
-def _linear(problem: MatrixInequalities, a0: FloatArray) -> MatrixInequalities:
-    """Assumption 3.2.6 and the condition of Theorem 3.2.3 where there is no f."""
-
-    def block(v: Any) -> FloatArray:
-        return np.block([[a0.T @ v.P + v.P @ a0 + v.Xi, v.P], [v.P, -v.Gamma]])
-
-    problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
-    return problem.above("R1 + H'(R2 + R3) H", lambda v: v.Xi)

@@ -168,39 +168,31 @@ def _inequalities(
     free: bool,
 ) -> MatrixInequalities:
     """The condition for abs(df_j) <= abs(h_j x), and the size of the input over the ellipsoid."""
+    from scipy.linalg import block_diag
+
     (n, m), k = b.shape, a1.shape[1]
     problem = MatrixInequalities("state feedback").positive("X", n).free("Y", m, n).number("size")
-    if k:
-        problem.diagonal("T", k).above("T > 0", lambda v: v.T)
+    problem.diagonal("T", k).above("T > 0", lambda v: v.T)
     if free:
         problem.free("Z", m, k)
 
-    def weights(v: Any) -> FloatArray:
-        return np.asarray(v.T) if k else np.zeros((0, 0))
-
     def onward(v: Any) -> FloatArray:
-        driven = a1 @ weights(v) + (b @ v.Z if free else 0.0)
-        return np.hstack([a @ v.X + b @ v.Y, driven])
+        return np.hstack([a @ v.X + b @ v.Y, a1 @ v.T + (b @ v.Z if free else 0.0)])
 
     def continuous(v: Any) -> FloatArray:
         moved = onward(v)
         first = moved[:, :n] + moved[:, :n].T + 2.0 * decay * v.X
         across = np.hstack([moved[:, n:], v.X @ h.T])
-        return np.block([[first, across], [across.T, -np.kron(np.eye(2), weights(v))]])
+        return np.block([[first, across], [across.T, -np.kron(np.eye(2), v.T)]])
 
     def discrete(v: Any) -> FloatArray:
-        before = np.zeros((n + k, n + k))
-        before[:n, :n], before[n:, n:] = -exp(-2.0 * decay) * v.X, -weights(v)
-        after = np.zeros((n + k, n + k))
-        after[:n, :n], after[n:, n:] = -v.X, -weights(v)
         moved = np.vstack([onward(v), np.hstack([h @ v.X, np.zeros((k, k))])])
+        before, after = block_diag(-exp(-2.0 * decay) * v.X, -v.T), block_diag(-v.X, -v.T)
         return np.block([[before, moved.T], [moved, after]])
 
     def input_size(v: Any) -> FloatArray:
         u = np.hstack([v.Y, v.Z if free else np.zeros((m, k))])
-        inside = np.zeros((n + k, n + k))
-        inside[:n, :n], inside[n:, n:] = v.X, weights(v)
-        return np.block([[v.size * np.eye(m), u], [u.T, inside]])
+        return np.block([[v.size * np.eye(m), u], [u.T, block_diag(v.X, v.T)]])
 
     problem.below("the closed loop", discrete if time == "discrete" else continuous)
     return problem.above("the input's size", input_size, strict=False)

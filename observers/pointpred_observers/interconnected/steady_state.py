@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from functools import partial
 from itertools import combinations, islice
 from typing import Any
 
@@ -25,6 +26,8 @@ from pointpred_observers.matrices import instance, matrix, moments, share
 SHARED = "H Pi - J"
 """The equality of the arguments of f."""
 
+EXACT = 1e-15
+"""Relative change at which a solution is refined no further."""
 SUBSPACES_MOST = 5000
 """At most so many invariant subspaces are tried, those of the first eigenvalues."""
 
@@ -33,11 +36,6 @@ def invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArra
     """Every isolated solution if the eigenvalues of ((s0, r), (k, a0)) differ, else some of them.
 
     A Pi is a solution exactly if the columns of (I; Pi) span an invariant subspace.
-
-    >>> import numpy as np
-    >>> one = np.ones((1, 1))
-    >>> sorted(pi.item() for pi in invariant_graphs(0 * one, 0 * one, one, one))  # Pi^2 = 1
-    [-1.0, 1.0]
     """
     q = len(s0)
     whole = np.block([[s0, r], [k, a0]])
@@ -59,26 +57,6 @@ def _real_choices(values: FloatArray, q: int) -> Iterator[tuple[int, ...]]:
         lower = sorted((values[i].real, -values[i].imag) for i in chosen if values[i].imag < 0.0)
         if len(upper) == len(lower) and np.allclose(upper, lower, rtol=1e-9, atol=0.0):
             yield chosen
-
-
-def refined(stacked: Callable[[FloatArray], FloatArray], start: FloatArray, *, steps: int = 60) -> FloatArray:
-    """The nearest point where every equality holds, by damped Gauss-Newton steps of least norm."""
-    numbers, size = start, float(np.linalg.norm(stacked(start)))
-    damping = 1e-3 * max(1.0, size)
-    for _ in range(steps):
-        unit = np.eye(len(numbers))
-        jacobian = np.array([0.5 * (stacked(numbers + one) - stacked(numbers - one)) for one in unit]).T
-        matrix = np.vstack([jacobian, np.sqrt(damping) * unit])
-        target = np.concatenate([-stacked(numbers), np.zeros(len(numbers))])
-        moved = numbers + np.linalg.lstsq(matrix, target, rcond=None)[0]
-        next_size = float(np.linalg.norm(stacked(moved)))
-        if next_size < size:
-            numbers, size, damping = moved, next_size, damping * 0.1
-        else:
-            damping *= 10.0
-        if size < 1e-14 or damping > 1e12:
-            break
-    return numbers
 
 
 class SteadyState(msgspec.Struct, frozen=True):
@@ -231,7 +209,7 @@ def steady_state_map(
         candidates = list(nearest_solutions(stacked, slope))
     else:
         started = invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
-        candidates = [refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
+        candidates = [_refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
 
     def shares_left(pi: FloatArray) -> dict[str, float]:
         each = [relative_residuals(one, generator, pi, relaxed=relaxed) for one in plants]
@@ -253,6 +231,15 @@ def steady_state_map(
     basis = _null(slope if linear else _jacobian(stacked, pi.ravel())).reshape(-1, plant.n, g.q)
     worst = {name: _largest(parts) for name, parts in left(pi).items()}
     return SteadyState(pi, plants[0].H @ pi, worst, len(basis), basis, tuple(distinct[1:]))
+
+
+def _refined(stacked: Any, start: FloatArray) -> FloatArray:
+    """The nearest point where every equality holds, or nearly."""
+    from scipy.optimize import least_squares
+
+    close: Any = {"xtol": EXACT, "ftol": EXACT, "gtol": EXACT}
+    found = least_squares(stacked, start, partial(_jacobian, stacked), x_scale="jac", **close)
+    return np.asarray(found.x, np.float64)
 
 
 def _jacobian(stacked: Any, numbers: FloatArray) -> FloatArray:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import form, inward, outward
+from pointpred_observers.balance import Coordinates, inward, outward
 from pointpred_observers.bounds import ErrorBound
 from pointpred_observers.documents.entries import (
     Document,
@@ -29,6 +29,7 @@ from pointpred_observers.eigenvalues import number_text, perron_root
 from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.matrices import instance, matrix, positive
 from pointpred_observers.observer import Observer
+from pointpred_observers.search import least_in_both
 from pointpred_observers.simulations.parameter_varying import matrices_at, schedule_of
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, run, sampled
@@ -123,32 +124,41 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         units, natural_seconds = system.units(gammas, decay)
         if output_decay is None:
             output_decay = OUTPUT_DECAY / natural_seconds
-        x, y, t = units.states, units.outputs, units.seconds
-        inner = np.array([inward(one, x, x, t) for one in gammas])
-        inner_ts = np.array([inward(one, x, x) for one in ts])
-        # Redundant outputs: C = R C' with independent rows in C', and K = K' R'.
-        rows, c = independent(inward(system.c, y, x))
-        failure = None
-        for room in ROOMS:
-            p, gamma, gap = lyapunov(inner, inner_ts, c, decay * t, room, system.time)
-            if discrete:
-                found = [discrete_gain(one, c, p) for one in inner]
-            else:
-                rates = decay * t, output_decay * t
-                found = [gain(one, on, c, p, gamma, *rates) for one, on in zip(inner, inner_ts, strict=True)]
-            ks = np.array([outward(one @ rows.T, x, y, t) for one in found])
-            # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
-            p, force = form(0.5 * (p + p.T), x), form(gamma * np.eye(len(p)), x, 1.0 / t)
-            try:
-                proof = audit(gammas, ts, system.c, p, ks, force, decay, zeros, system.time)
-            except CertificateError as edge:
-                failure = edge
-                continue
-            return cls(system, box, ks, msgspec.structs.replace(proof, gap=gap))
-        raise UndecidedError(
-            f"the invariant zeros allow a decay of {decay:g}, but too closely: choose a smaller decay "
-            f"or a smaller box ({failure})"
-        ) from failure
+        rate: float = output_decay
+
+        def designed(units: Coordinates) -> Any:
+            x, y, t = units.states, units.outputs, units.seconds
+            inner = np.array([inward(one, x, x, t) for one in gammas])
+            inner_ts = np.array([inward(one, x, x) for one in ts])
+            # Redundant outputs: C = R C' with independent rows in C', and K = K' R'.
+            rows, c = independent(inward(system.c, y, x))
+            failure = None
+            for room in ROOMS:
+                p, gamma, gap = lyapunov(inner, inner_ts, c, decay * t, room, system.time)
+                if discrete:
+                    found = [discrete_gain(one, c, p) for one in inner]
+                else:
+                    found = [
+                        gain(one, on, c, p, gamma, decay * t, rate * t)
+                        for one, on in zip(inner, inner_ts, strict=True)
+                    ]
+                ks = np.array([outward(one @ rows.T, x, y, t) for one in found])
+                # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
+                form = np.outer(x, x)
+                p, force = 0.5 * (p + p.T) / form, gamma * np.eye(len(p)) / form * t
+                try:
+                    proof = audit(gammas, ts, system.c, p, ks, force, decay, zeros, system.time)
+                except CertificateError as edge:
+                    failure = edge
+                    continue
+                return cls(system, box, ks, msgspec.structs.replace(proof, gap=gap))
+            raise UndecidedError(
+                f"the invariant zeros allow a decay of {decay:g}, but too closely: choose a smaller decay "
+                f"or a smaller box ({failure})"
+            ) from failure
+
+        found: Self = least_in_both(units, designed)
+        return found
 
     @classmethod
     def certified(
