@@ -190,8 +190,8 @@ class UnknownInputObserver(msgspec.Struct, frozen=True, eq=False):
         ts, n = np.array([self.system.t(p) for p in corners]), a.shape[1]
         return ErrorSystem(a, ts, np.eye(n), names, {"delta": n}, self.system.time)
 
-    def stage(self, start: Any, *, noise: Any = None, density: Any = None) -> UnknownInputStage:
-        """The observer as a stage that starts at an estimate; the first sample replaces its outputs.
+    def stage(self, start: Any = None, *, noise: Any = None, density: Any = None) -> UnknownInputStage:
+        """The observer as a stage that starts at an estimate, or at 0; the first sample replaces its outputs.
 
         ``noise`` and ``density`` as for ``InputReconstruction``: without them the unknown input is
         estimated over each interval by itself.
