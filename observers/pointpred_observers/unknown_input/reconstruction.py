@@ -85,10 +85,13 @@ class InputReconstruction:
         seen = ~np.isnan(moved)
         same = g.tobytes() + seen.tobytes()  # G is often constant, and the inverse is most of the cost
         if same != self._inverses[0]:
-            weights = np.ones(self.outputs) if self.noise is None else 1.0 / self.noise
-            size, inverse = SINGULAR * np.linalg.norm(g), None
-            if seen.any() and np.linalg.matrix_rank(g[seen], tol=size) == g.shape[1]:
-                inverse = np.linalg.pinv(g[seen] * weights[seen, None], rcond=SINGULAR) * weights[seen]
+            left, sizes, right = np.linalg.svd(g[seen], full_matrices=False)
+            inverse = None
+            if len(sizes) == g.shape[1] and sizes.min() > SINGULAR * np.linalg.norm(g):
+                inverse = np.asarray((right.T / sizes) @ left.T, np.float64)
+                if self.noise is not None:
+                    weights = 1.0 / self.noise[seen]
+                    inverse = np.linalg.pinv(g[seen] * weights[:, None], rcond=SINGULAR) * weights
             self._inverses = same, inverse
         return self._inverses[1], moved
 

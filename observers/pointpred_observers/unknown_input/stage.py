@@ -134,9 +134,9 @@ class UnknownInputStage:
     gone for good needs a design of its own.
 
     Parameters: ``design``; ``start`` the estimate at the first sample, by default 0, whose outputs the first
-    sample replaces; ``noise`` and ``density`` as for ``InputReconstruction``. Memory: the estimate, one sample, a
-    covariance, and the matrices at the vertices. Raises ParameterError; EventError and EventOrderError from
-    ``update``, which leaves it unchanged.
+    sample replaces; ``noise`` and ``density`` as for ``InputReconstruction``. Memory: the estimate, one
+    sample, a covariance, and the matrices at the vertices. Raises ParameterError; EventError and
+    EventOrderError from ``update``, which leaves it unchanged.
 
     >>> from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver
     >>> system = ParameterVaryingSystem(
