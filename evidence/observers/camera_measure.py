@@ -33,6 +33,7 @@ from pointpred_observers.camera.point_filter import PointTrack
 from pointpred_observers.camera.scenario import Scenario, Trajectory, observed, trajectory
 from pointpred_observers.camera.velocity import UnknownInputFilter, flow, velocities
 from pointpred_observers.cli.camera_files import plot, truth_table
+from pointpred_observers.plants.boxes import Box
 from pointpred_observers.reproduction.camera import (
     FOCAL_PX,
     GUESSED_S,
@@ -44,7 +45,6 @@ from pointpred_observers.reproduction.camera import (
     estimated,
     scenario_45,
 )
-from pointpred_observers.unknown_input.boxes import Box
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 IDENTITY = np.eye(6)

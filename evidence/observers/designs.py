@@ -34,9 +34,9 @@ from pointpred_observers.examples import (
     two_sensors,
     vapours,
 )
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.thesis import certify_convergence, certify_tracking, regression_margin
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.unknown_input.gains import ROOMS

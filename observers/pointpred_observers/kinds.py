@@ -9,22 +9,22 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
-from pointpred_observers.interconnected.generator import Generator
 from pointpred_observers.interconnected.regulator import Regulator
+from pointpred_observers.interconnected.simulation import closed
 from pointpred_observers.interconnected.steady_state import steady_state_map
-from pointpred_observers.linear_systems import as_plant
-from pointpred_observers.matrices import instance
+from pointpred_observers.numerics.matrices import instance
 from pointpred_observers.observer import Observer
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.plants.generator import Generator
+from pointpred_observers.plants.linear_systems import as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.plants.symbolic import SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.plants.varying import ParameterVaryingSystem
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
-from pointpred_observers.simulations.persidskii import closed
-from pointpred_observers.simulations.regressions import Regression
+from pointpred_observers.regressors.regressions import Regression
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
-from pointpred_observers.triangular.system import SymbolicSteadyState, SymbolicSystem
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 KINDS: dict[str, tuple[type[Observer], Any]] = {
     one.kind: (one, plant)

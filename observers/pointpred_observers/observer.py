@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 if TYPE_CHECKING:
     from pointpred.records import FloatArray
-    from pointpred_observers.bounds import ErrorBound
-    from pointpred_observers.documents.entries import Document
-    from pointpred_observers.error_systems.system import ErrorSystem
+    from pointpred_observers.plants.entries import Document
+    from pointpred_observers.proofs.bounds import ErrorBound
+    from pointpred_observers.proofs.error_system import ErrorSystem
     from pointpred_observers.simulations.result import Simulation
     from pointpred_observers.simulations.signals import Setting
 
@@ -82,7 +82,7 @@ class Observer:
 
     def audited(self) -> Self:
         """The same made again of its matrices: every equality, inequality and bound computed again."""
-        from pointpred_observers.documents.plants import functions_of
+        from pointpred_observers.plants.documents import functions_of
 
         again: Self = self.document().made(functions_of(self))
         return again

@@ -1,30 +1,30 @@
 """The public names of the package; what the thesis calls by numbers is in ``thesis``."""
 
 from pointpred.regression import RecursiveLeastSquares
-from pointpred_observers.discretisation import c2d
-from pointpred_observers.documents.files import audit, load, save
-from pointpred_observers.error_systems.decay import certify_decay
-from pointpred_observers.error_systems.l2_gain import l2_gain
-from pointpred_observers.error_systems.system import ErrorSystem
-from pointpred_observers.interconnected.generator import Generator
+from pointpred_observers.files import audit, load, save
 from pointpred_observers.interconnected.steady_state import steady_state_map
 from pointpred_observers.kinds import design, simulate, stage
 from pointpred_observers.observer import Observer
-from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.reduced_order.reversed_connection import invariant_observer
-from pointpred_observers.regressors.excitation import persistent_excitation
-from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
-from pointpred_observers.simulations.regressions import Regression
-from pointpred_observers.trajectories import trajectory
-from pointpred_observers.triangular.forms import interlaced
-from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSystem
-from pointpred_observers.unknown_input.boxes import Box
-from pointpred_observers.unknown_input.stage import UnknownInputSample
-from pointpred_observers.unknown_input.system import (
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.discretisation import c2d
+from pointpred_observers.plants.generator import Generator
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem
+from pointpred_observers.plants.varying import (
     CornerSystem,
     ParameterVaryingSystem,
     invariant_zeros,
 )
+from pointpred_observers.proofs.decay import certify_decay
+from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.l2_gain import l2_gain
+from pointpred_observers.reduced_order.reversed_connection import invariant_observer
+from pointpred_observers.regressors.excitation import persistent_excitation
+from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
+from pointpred_observers.regressors.regressions import Regression
+from pointpred_observers.simulations.trajectories import trajectory
+from pointpred_observers.triangular.forms import interlaced
+from pointpred_observers.unknown_input.stage import UnknownInputSample
 
 __all__ = [
     "Box",

@@ -1,7 +1,5 @@
 """Theorems, assumptions and equations of the sources by their numbers, for researchers who check them."""
 
-from pointpred_observers.eigenvalues import undetectable
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, check
 from pointpred_observers.interconnected.assumptions import (
     assumption_1_3_1,
     assumption_3_2_2,
@@ -21,6 +19,9 @@ from pointpred_observers.interconnected.tracking import (
     theorem_3_2_2,
     theorem_3_2_3,
 )
+from pointpred_observers.numerics.eigenvalues import undetectable
+from pointpred_observers.plants.symbolic import check_steady_state
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities, check
 from pointpred_observers.reduced_order.reversed_certificate import (
     certify_convergence,
     theorem_3_3_1,
@@ -30,7 +31,6 @@ from pointpred_observers.regressors.excitation import linear_independence, regre
 from pointpred_observers.triangular.attraction import assumption_4_4_2
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.triangular.interlaced_observer import theorem_4_4_1
-from pointpred_observers.triangular.system import check_steady_state
 
 __all__ = [
     "MatrixInequalities",

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import block_diag
 
-from pointpred_observers.balance import balanced, inward, outward
+from pointpred_observers.numerics.balance import balanced, inward, outward
 
 
 def system(seed: int, sparse: float) -> dict[str, Any]:

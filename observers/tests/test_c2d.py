@@ -8,7 +8,7 @@ from scipy import signal
 
 from pointpred.errors import ParameterError
 from pointpred_observers import Generator, Persidskii, c2d, steady_state_map, trajectory
-from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.files import decoded, encoded
 from pointpred_observers.thesis import residuals
 
 A0 = np.array([[0.0, 1.0], [-2.0, -0.3]])

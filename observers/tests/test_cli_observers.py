@@ -15,7 +15,7 @@ import pytest
 
 import pointpred_observers as o
 from pointpred_observers.cli.observer_examples import EXAMPLES
-from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.files import decoded, encoded
 from tests.conftest import Left
 
 GUIDE = Path(__file__).parents[1] / "docs" / "own-plant.md"

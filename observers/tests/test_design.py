@@ -13,10 +13,10 @@ from scipy.linalg import expm
 from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers import Generator, Persidskii, trajectory
-from pointpred_observers.bounds import ErrorBound, decay_of, proved_bound
 from pointpred_observers.interconnected.design import DrivenObserver, certified_design
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, proved_bound
+from pointpred_observers.simulations.trajectories import SeededSignal
 from pointpred_observers.thesis import theorem_3_2_1
-from pointpred_observers.trajectories import SeededSignal
 
 
 def random_pair(seed: int, *, time: str = "continuous") -> tuple[Persidskii, Generator, Any]:

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers.documents.files import VERSION, decoded, encoded
-from pointpred_observers.persidskii import NAMES
+from pointpred_observers.files import VERSION, decoded, encoded
+from pointpred_observers.plants.persidskii import NAMES
 
 pytest.importorskip("cvxpy")
 

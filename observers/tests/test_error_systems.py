@@ -21,11 +21,11 @@ from pointpred_observers import (
     l2_gain,
     trajectory,
 )
-from pointpred_observers.documents.files import decoded, encoded
-from pointpred_observers.error_systems.l2_gain import h_infinity
-from pointpred_observers.error_systems.system import sloped_system
+from pointpred_observers.files import decoded, encoded
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
 from pointpred_observers.interconnected.regulator import Regulator
+from pointpred_observers.proofs.error_system import sloped_system
+from pointpred_observers.proofs.l2_gain import h_infinity
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import assumption_3_2_2, design_state_feedback
 from pointpred_observers.unknown_input.observer import UnknownInputObserver

@@ -13,9 +13,9 @@ import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from observers.tests.printed import check_map
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers.bounds import least_ratio
-from pointpred_observers.documents.files import decoded, encoded
-from pointpred_observers.inequalities.definite import least
+from pointpred_observers.files import decoded, encoded
+from pointpred_observers.proofs.bounds import least_ratio
+from pointpred_observers.proofs.definite import least
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.reversed_certificate import certified_convergence
 from pointpred_observers.reduced_order.reversed_connection import InvariantObserver

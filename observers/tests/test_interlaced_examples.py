@@ -10,7 +10,7 @@ import pytest
 
 from pointpred_observers import SymbolicSystem, interlaced, trajectory
 from pointpred_observers.examples import SPRINGS, interlaced_masses, interlaced_states
-from pointpred_observers.triangular.system import SymbolicSteadyState
+from pointpred_observers.plants.symbolic import SymbolicSteadyState
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")

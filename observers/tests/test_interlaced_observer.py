@@ -19,6 +19,7 @@ from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, EventError, EventOrderError, InfeasibleError, ParameterError
 from pointpred_observers import SymbolicSystem, interlaced
 from pointpred_observers.examples import interlaced_states, oscillator
+from pointpred_observers.plants.symbolic import SymbolicSteadyState
 from pointpred_observers.triangular.interlaced_observer import (
     InterlacedCertificate,
     InterlacedEstimate,
@@ -28,7 +29,6 @@ from pointpred_observers.triangular.interlaced_observer import (
     output_matrix,
     theorem_4_4_1,
 )
-from pointpred_observers.triangular.system import SymbolicSteadyState
 
 sp = pytest.importorskip("sympy")
 pytest.importorskip("cvxpy")

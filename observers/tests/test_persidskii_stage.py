@@ -17,7 +17,7 @@ from scipy.linalg import expm
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
 from pointpred_observers import trajectory
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.nonlinearity import KNOWN, nonlinearity
+from pointpred_observers.plants.nonlinearity import KNOWN, nonlinearity
 
 NAMES = ["sin", "tanh", "atan", "saturation", "cube", "identity"]
 

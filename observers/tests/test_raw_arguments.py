@@ -10,14 +10,14 @@ import pytest
 
 from pointpred.errors import ParameterError
 from pointpred_observers import Generator, Persidskii, invariant_observer
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.varying import ParameterVaryingSystem
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import certify_tracking, undetectable
 from pointpred_observers.triangular.interlaced_observer import certify
-from pointpred_observers.unknown_input.boxes import Box
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 PLANT = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
 DRIVEN = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])

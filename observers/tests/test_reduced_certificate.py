@@ -9,12 +9,12 @@ from scipy import signal
 from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers import Persidskii, invariant_observer, trajectory
-from pointpred_observers.bounds import proved_bound
+from pointpred_observers.proofs.bounds import proved_bound
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.reversed_certificate import lipschitz, theorem_3_3_1, theorem_3_3_2
 from pointpred_observers.reduced_order.reversed_connection import Connection
+from pointpred_observers.simulations.trajectories import SeededSignal
 from pointpred_observers.thesis import certify_convergence
-from pointpred_observers.trajectories import SeededSignal
 
 PI = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pointpred_observers import Persidskii
-from pointpred_observers.equalities import NO_DIGIT, without_rounding
+from pointpred_observers.numerics.equalities import NO_DIGIT, without_rounding
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 
 

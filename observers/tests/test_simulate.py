@@ -13,8 +13,8 @@ from scipy.linalg import expm
 import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from pointpred.errors import DivergenceError, EventError, ParameterError
-from pointpred_observers import trajectories
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.simulations import trajectories
 
 pytest.importorskip("cvxpy")
 

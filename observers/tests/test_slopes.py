@@ -9,9 +9,9 @@ import pytest
 
 from pointpred.errors import ParameterError
 from pointpred_observers import Persidskii
-from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.files import decoded, encoded
 from pointpred_observers.interconnected.design import FullOrderObserver
-from pointpred_observers.nonlinearity import KNOWN, true_slopes, value
+from pointpred_observers.plants.nonlinearity import KNOWN, true_slopes, value
 
 
 def plant(f: Any, slopes: Any, domain: float = np.inf) -> Persidskii:

@@ -15,11 +15,11 @@ from evidence.observers.plants import DOORS, KINDS, Problem
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers import Generator, Persidskii, audit
 from pointpred_observers.cli.observer_tables import print_audit, print_design, summary
-from pointpred_observers.documents.files import decoded, encoded
-from pointpred_observers.inequalities.affine import Affine, Multipliers, reach
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
+from pointpred_observers.files import decoded, encoded
 from pointpred_observers.interconnected import design as interconnected
 from pointpred_observers.interconnected.design import FullOrderObserver
+from pointpred_observers.proofs.affine import Affine, Multipliers, reach
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.reduced_order import design as reduced
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 

@@ -12,7 +12,7 @@ from scipy.linalg import expm
 
 from pointpred.errors import DivergenceError, ParameterError
 from pointpred_observers import trajectories, trajectory
-from pointpred_observers.trajectories import SeededSignal
+from pointpred_observers.simulations.trajectories import SeededSignal
 
 
 def test_a_linear_system_follows_its_exponential() -> None:

@@ -14,8 +14,8 @@ from scipy.linalg import solve_sylvester
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred_observers import SymbolicGenerator, SymbolicSystem, interlaced
 from pointpred_observers.examples import oscillator
-from pointpred_observers.triangular.polynomials import composed
-from pointpred_observers.triangular.system import SymbolicSteadyState
+from pointpred_observers.plants.polynomials import composed
+from pointpred_observers.plants.symbolic import SymbolicSteadyState
 
 sp = pytest.importorskip("sympy")
 W1, W2, U, Z, Z1, Z2, K = sp.symbols("w1 w2 u z z1 z2 k")

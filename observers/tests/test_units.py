@@ -10,11 +10,11 @@ import pytest
 from pointpred.errors import InfeasibleError
 from pointpred_observers import Generator, Persidskii, invariant_observer
 from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.varying import ParameterVaryingSystem
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import certify_convergence
-from pointpred_observers.unknown_input.boxes import Box
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 ARM = ([[0.0, 1.0], [0.0, -0.1]], [0.0, -2.0], [1.0, 0.0])
 

@@ -16,7 +16,7 @@ from pointpred_observers.interconnected.design import DrivenObserver, FullOrderO
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.interconnected.regulator import Regulator
-from pointpred_observers.linear_systems import as_plant
+from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import (
     assumption_3_2_2,

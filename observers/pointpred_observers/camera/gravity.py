@@ -15,7 +15,7 @@ from pointpred.records import FloatArray
 from pointpred.stage import loop_into
 from pointpred_observers.camera.kinematics import back
 from pointpred_observers.camera.samples import CameraColumns, CameraSample, CameraStage, usable
-from pointpred_observers.matrices import matrix
+from pointpred_observers.numerics.matrices import matrix
 
 AT_REST = 0.1
 """A camera counts as resting if the measured force differs from g by less than this share."""

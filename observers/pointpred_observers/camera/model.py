@@ -13,8 +13,8 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.unknown_input.boxes import Box
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.varying import ParameterVaryingSystem
 
 C = np.eye(2, 4)
 """The image gives x and y of (x, y, chi, eta)."""

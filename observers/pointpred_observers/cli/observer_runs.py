@@ -14,9 +14,9 @@ from pointpred.errors import ParameterError
 from pointpred.files import whole
 from pointpred.records import FloatArray
 from pointpred_observers import CornerSystem, Observer, Persidskii, load
-from pointpred_observers.documents.expressions import parsed
+from pointpred_observers.plants.expressions import parsed
+from pointpred_observers.plants.polynomials import symbolic
 from pointpred_observers.simulations.result import Simulation
-from pointpred_observers.triangular.polynomials import symbolic
 
 
 def design_of(file: Path) -> Observer:

@@ -55,7 +55,7 @@ def example(
       pointpred observers example pendulum --out pendulum.json
     """
     from pointpred_observers.cli.observer_examples import EXAMPLES
-    from pointpred_observers.documents.files import encoded
+    from pointpred_observers.files import encoded
 
     if plant not in EXAMPLES:
         listed = "; ".join(f"{name}: {one.about}" for name, one in EXAMPLES.items())

@@ -9,19 +9,19 @@ import numpy as np
 
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.eigenvalues import hidden, number_text, require_decay, unsettled
-from pointpred_observers.equalities import without_rounding
-from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
-from pointpred_observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
 from pointpred_observers.interconnected.regulated import SectorBounds
 from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import matrix
-from pointpred_observers.nonlinearity import NAMED
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.numerics.eigenvalues import hidden, number_text, require_decay, unsettled
+from pointpred_observers.numerics.equalities import without_rounding
+from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.nonlinearity import NAMED
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
+from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 
 CONDITIONS_3_2_3 = ("R1", "R2", "R3", "R4", "R1 + H'(R2 + R3) H")
 """The conditions of Theorem 3.2.3 beside its assumption."""

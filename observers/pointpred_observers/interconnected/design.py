@@ -10,9 +10,27 @@ import numpy as np
 from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, inward
-from pointpred_observers.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
-from pointpred_observers.documents.entries import (
+from pointpred_observers.interconnected.interconnection import Interconnection, theorem_3_2_1
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.simulation import (
+    UNUSED,
+    like,
+    open_loop,
+    outputs_of,
+    same,
+    unlike,
+    walked,
+)
+from pointpred_observers.interconnected.steady_state import relative_residuals, steady_state_map
+from pointpred_observers.interconnected.tracking import closed_loop
+from pointpred_observers.numerics.balance import Coordinates, inward
+from pointpred_observers.numerics.eigenvalues import require_detectable
+from pointpred_observers.numerics.equalities import TOLERANCE, without_rounding
+from pointpred_observers.numerics.matrices import dimensions, instance, matrix, positive, vector
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.documents import GeneratorDocument, PlantDocument
+from pointpred_observers.plants.entries import (
     Document,
     Functions,
     Rows,
@@ -23,35 +41,17 @@ from pointpred_observers.documents.entries import (
     matrices_of,
     plain,
 )
-from pointpred_observers.documents.plants import GeneratorDocument, PlantDocument
-from pointpred_observers.eigenvalues import require_detectable
-from pointpred_observers.equalities import TOLERANCE, without_rounding
-from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
-from pointpred_observers.inequalities.definite import solved
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.interconnected.generator import Fitted, Generator
-from pointpred_observers.interconnected.interconnection import Interconnection, theorem_3_2_1
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.interconnected.steady_state import relative_residuals, steady_state_map
-from pointpred_observers.interconnected.tracking import closed_loop
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import dimensions, instance, matrix, positive, vector
-from pointpred_observers.observer import Observer
-from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.search import Posed, search
-from pointpred_observers.simulations.persidskii import (
-    UNUSED,
-    like,
-    open_loop,
-    outputs_of,
-    same,
-    unlike,
-    walked,
-)
+from pointpred_observers.plants.generator import Fitted, Generator
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
+from pointpred_observers.proofs.definite import solved
+from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Posed, search
+from pointpred_observers.proofs.stationary import cover, filter_start, middle
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, run, sampled
-from pointpred_observers.stationary import cover, filter_start, middle
 
 
 class DrivenObserver(Observer, msgspec.Struct, frozen=True):

@@ -9,7 +9,7 @@ from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.records import FloatArray, FloatTable
 from pointpred.stage import loop_into
-from pointpred_observers import nonlinearity
+from pointpred_observers.plants import nonlinearity
 
 ACCEPTED, REPEATED, BACKWARDS, TOO_LONG, SKIPPED = 0, 1, 2, 3, 4
 STEPS_MOST = 100_000

@@ -12,13 +12,13 @@ from pointpred.parameter import option, parameter
 from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import CompiledStage
 from pointpred_observers.interconnected import persidskii_law as law
-from pointpred_observers.interconnected.generator import Generator, fitted
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.plain_law import PlainLaw
 from pointpred_observers.interconnected.realisation import Realisation
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import TIMES, instance, matrix, one_of
-from pointpred_observers.nonlinearity import nonlinearity
+from pointpred_observers.numerics.matrices import TIMES, instance, matrix, one_of
+from pointpred_observers.plants.generator import Generator, fitted
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.nonlinearity import nonlinearity
 
 LONGEST_S = 1e-2
 """The longest step by default, s."""

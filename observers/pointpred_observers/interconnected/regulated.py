@@ -14,14 +14,14 @@ from numpy.typing import NDArray
 
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, inward
-from pointpred_observers.eigenvalues import number_text
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.interconnected.generator import Fitted
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import matrix
-from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.search import Units
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.eigenvalues import number_text
+from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.plants.generator import Fitted
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Units
 
 ComplexArray = NDArray[np.complex128]
 

@@ -9,8 +9,29 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.documents.entries import (
+from pointpred_observers.interconnected.design import (
+    DrivenDocument,
+    DrivenObserver,
+    driven,
+    require_map,
+)
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
+from pointpred_observers.interconnected.regulator_equations import (
+    RegulatorEquations,
+    checked_equations,
+    regulator_equations,
+)
+from pointpred_observers.interconnected.simulation import closed, like
+from pointpred_observers.interconnected.state_feedback import (
+    StateFeedback,
+    closed_system,
+    design_state_feedback,
+)
+from pointpred_observers.numerics.equalities import TOLERANCE, share_of_terms
+from pointpred_observers.numerics.matrices import matrix, positive
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.documents import GeneratorDocument, PlantDocument
+from pointpred_observers.plants.entries import (
     Document,
     Functions,
     Rows,
@@ -19,38 +40,17 @@ from pointpred_observers.documents.entries import (
     matrices_of,
     plain,
 )
-from pointpred_observers.documents.plants import GeneratorDocument, PlantDocument
-from pointpred_observers.equalities import TOLERANCE, share_of_terms
-from pointpred_observers.error_systems.decay import certified_decay
-from pointpred_observers.error_systems.system import ErrorSystem
-from pointpred_observers.interconnected.design import (
-    DrivenDocument,
-    DrivenObserver,
-    driven,
-    require_map,
-)
-from pointpred_observers.interconnected.generator import (
+from pointpred_observers.plants.generator import (
     Fitted,
     Generator,
     fitted,
     require_same_nonlinearity,
 )
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
-from pointpred_observers.interconnected.regulator_equations import (
-    RegulatorEquations,
-    checked_equations,
-    regulator_equations,
-)
-from pointpred_observers.interconnected.state_feedback import (
-    StateFeedback,
-    closed_system,
-    design_state_feedback,
-)
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import matrix, positive
-from pointpred_observers.observer import Observer
-from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.simulations.persidskii import closed, like
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.bounds import ErrorBound
+from pointpred_observers.proofs.decay import certified_decay
+from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 

@@ -10,17 +10,17 @@ import numpy as np
 
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, inward
-from pointpred_observers.eigenvalues import number_text, undetectable, vertices
-from pointpred_observers.equalities import NO_DIGIT, without_rounding
-from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
-from pointpred_observers.inequalities.definite import solved
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import matrix, positive
-from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.search import Posed, search
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.eigenvalues import number_text, undetectable, vertices
+from pointpred_observers.numerics.equalities import NO_DIGIT, without_rounding
+from pointpred_observers.numerics.matrices import matrix, positive
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
+from pointpred_observers.proofs.definite import solved
+from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Posed, search
 
 ROOM = 1.01
 """The feedback is designed for a decay larger by this factor than the certified one."""

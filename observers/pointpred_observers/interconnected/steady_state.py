@@ -12,16 +12,16 @@ import numpy as np
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.equalities import (
+from pointpred_observers.numerics.equalities import (
     TOLERANCE,
     column_units,
     nearest_solutions,
     row_rounding,
     share_of_terms,
 )
-from pointpred_observers.interconnected.generator import Generator, fitted
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import instance, matrix, moments, share
+from pointpred_observers.numerics.matrices import instance, matrix, moments, share
+from pointpred_observers.plants.generator import Generator, fitted
+from pointpred_observers.plants.linear_systems import Plant, as_plant
 
 SHARED = "H Pi - J"
 """The equality of the arguments of f."""

@@ -9,21 +9,21 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates
-from pointpred_observers.equalities import TOLERANCE
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
-from pointpred_observers.interconnected.generator import (
+from pointpred_observers.interconnected.regulated import Followed, Regulated, SectorBounds, sector_bounds
+from pointpred_observers.interconnected.steady_state import relative_residuals
+from pointpred_observers.numerics.balance import Coordinates
+from pointpred_observers.numerics.equalities import TOLERANCE
+from pointpred_observers.numerics.matrices import instance, matrix, share, vector
+from pointpred_observers.plants.generator import (
     Fitted,
     Generator,
     fitted,
     require_same_nonlinearity,
 )
-from pointpred_observers.interconnected.regulated import Followed, Regulated, SectorBounds, sector_bounds
-from pointpred_observers.interconnected.steady_state import relative_residuals
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import instance, matrix, share, vector
-from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.search import Posed, search
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities, Solution
+from pointpred_observers.proofs.search import Posed, search
 
 
 class TrackingCertificate(msgspec.Struct, frozen=True):

@@ -63,7 +63,7 @@ double interconnected_persidskii_law_along(double total, Vector row, Vector vect
 /* f(Jw + R i). */
 void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector to) {
   for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
-    to.p[j] = nonlinearity_value(m.codes.p[j], interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.J.p + j * m.J.m, m.J.m}, w), (Vector){m.R.p + j * m.R.m, m.R.m}, inputs));
+    to.p[j] = plants_nonlinearity_value(m.codes.p[j], interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.J.p + j * m.J.m, m.J.m}, w), (Vector){m.R.p + j * m.R.m, m.R.m}, inputs));
   }
 }
 
@@ -266,7 +266,7 @@ void interconnected_persidskii_law_read(interconnected_persidskii_law_Matrices m
   space = interconnected_persidskii_law_space_of(m, s, q);
   for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
     argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){m.R.p + j * m.R.m, m.R.m}, last), (Vector){m.J.p + j * m.J.m, m.J.m}, w, m.start);
-    space.nonlinear.p[j] = nonlinearity_value(m.codes.p[j], argument);
+    space.nonlinear.p[j] = plants_nonlinearity_value(m.codes.p[j], argument);
   }
   for (int64_t i = 0, end_2 = m.R0.n; i < end_2; i++) {
     out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along_both(0.0, (Vector){m.R0.p + i * m.R0.m, m.R0.m}, w, m.start), (Vector){m.R1.p + i * m.R1.m, m.R1.m}, space.nonlinear), (Vector){m.R2.p + i * m.R2.m, m.R2.m}, last);

@@ -286,7 +286,8 @@ void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Tab
 void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-static inline double nonlinearity_value(double code, double s);
+bool plants_boxes_weigh(Table axes, Vector p, Vector weights);
+static inline double plants_nonlinearity_value(double code, double s);
 void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
 void regressors_gradient_bend(double code, regressors_gradient_Parts s, Vector new, double begin, double h, double dt);
 void regressors_gradient_flow(regressors_gradient_Parts s, double h);
@@ -299,31 +300,30 @@ double regressors_gradient_steepness(Table d, Table gain);
 int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out);
 bool regressors_gradient_usable(regressors_gradient_Memory * memory, Vector row);
 static inline void stage_learn_nothing(Vector memory);
-bool unknown_input_boxes_weigh(Table axes, Vector p, Vector weights);
 void unknown_input_stage_estimated(Vector block, Table ends, double s, Table space);
 bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block);
 void unknown_input_stage_push(Vector block, Table c, Table ends, double s, int64_t part, double h, Table space);
-static const int64_t nonlinearity_ATAN = 3;
-static const int64_t nonlinearity_CUBE = 5;
-static const int64_t nonlinearity_SATURATION = 4;
-static const int64_t nonlinearity_SIN = 1;
-static const int64_t nonlinearity_TANH = 2;
+static const int64_t plants_nonlinearity_ATAN = 3;
+static const int64_t plants_nonlinearity_CUBE = 5;
+static const int64_t plants_nonlinearity_SATURATION = 4;
+static const int64_t plants_nonlinearity_SIN = 1;
+static const int64_t plants_nonlinearity_TANH = 2;
 
 /* The nonlinearity with the given code at s. */
-static inline double nonlinearity_value(double code, double s) {
-  if (code == nonlinearity_SIN) {
+static inline double plants_nonlinearity_value(double code, double s) {
+  if (code == plants_nonlinearity_SIN) {
     return sin(s);
   }
-  if (code == nonlinearity_TANH) {
+  if (code == plants_nonlinearity_TANH) {
     return tanh(s);
   }
-  if (code == nonlinearity_ATAN) {
+  if (code == plants_nonlinearity_ATAN) {
     return atan(s);
   }
-  if (code == nonlinearity_SATURATION) {
+  if (code == plants_nonlinearity_SATURATION) {
     return min_float(max_float(s, -1.0), 1.0);
   }
-  if (code == nonlinearity_CUBE) {
+  if (code == plants_nonlinearity_CUBE) {
     return s * s * s;
   }
   return s;

@@ -1466,8 +1466,31 @@ static PyObject *py_loop__stage_learn_nothing__camera_velocity_row_at__camera_ve
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_nonlinearity_value(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.nonlinearity:value";
+static PyObject *py_plants_boxes_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.plants.boxes:weigh";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  Vector a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "axes", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "axes", a0.m, 2)
+        && take_array(&held, args[1], law, "p", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "weights", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = plants_boxes_weigh(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_plants_nonlinearity_value(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.plants.nonlinearity:value";
   Held held;
   const Py_buffer *view;
   double a0;
@@ -1479,7 +1502,7 @@ static PyObject *py_nonlinearity_value(PyObject *self, PyObject *const *args, Py
         && take_double(args[0], &a0)
         && take_double(args[1], &a1)))
     return let_go(&held);
-  result = nonlinearity_value(a0, a1);
+  result = plants_nonlinearity_value(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -1705,29 +1728,6 @@ static PyObject *py_regressors_gradient_usable(PyObject *self, PyObject *const *
   let_go(&held);
   return PyBool_FromLong(result);
 }
-static PyObject *py_unknown_input_boxes_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.unknown_input.boxes:weigh";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  Vector a1;
-  Vector a2;
-  bool result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "axes", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "axes", a0.m, 2)
-        && take_array(&held, args[1], law, "p", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "weights", 'd', 1, true, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = unknown_input_boxes_weigh(a0, a1, a2); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyBool_FromLong(result);
-}
 static PyObject *py_unknown_input_stage_estimated(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.unknown_input.stage:estimated";
   Held held;
@@ -1854,7 +1854,8 @@ static PyMethodDef methods[] = {
   {"pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)", (PyCFunction)(void (*)(void))py_loop__camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)", (PyCFunction)(void (*)(void))py_loop__camera_point_filter_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.velocity:row_at) (pointpred_observers.camera.velocity:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.nonlinearity:value", (PyCFunction)(void (*)(void))py_nonlinearity_value, METH_FASTCALL, NULL},
+  {"pointpred_observers.plants.boxes:weigh", (PyCFunction)(void (*)(void))py_plants_boxes_weigh, METH_FASTCALL, NULL},
+  {"pointpred_observers.plants.nonlinearity:value", (PyCFunction)(void (*)(void))py_plants_nonlinearity_value, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:bend", (PyCFunction)(void (*)(void))py_regressors_gradient_bend, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:flow", (PyCFunction)(void (*)(void))py_regressors_gradient_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:jump", (PyCFunction)(void (*)(void))py_regressors_gradient_jump, METH_FASTCALL, NULL},
@@ -1863,7 +1864,6 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.regressors.gradient:steepness", (PyCFunction)(void (*)(void))py_regressors_gradient_steepness, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:step", (PyCFunction)(void (*)(void))py_regressors_gradient_step, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:usable", (PyCFunction)(void (*)(void))py_regressors_gradient_usable, METH_FASTCALL, NULL},
-  {"pointpred_observers.unknown_input.boxes:weigh", (PyCFunction)(void (*)(void))py_unknown_input_boxes_weigh, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:estimated", (PyCFunction)(void (*)(void))py_unknown_input_stage_estimated, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:mix", (PyCFunction)(void (*)(void))py_unknown_input_stage_mix, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:push", (PyCFunction)(void (*)(void))py_unknown_input_stage_push, METH_FASTCALL, NULL},

@@ -108,7 +108,7 @@ void regressors_gradient_slope(double code, regressors_gradient_Parts s) {
     for (int64_t i = 0; i < n; i++) {
       argument += sample.D.p[row * sample.D.m + i] * (s.stage.p[i] + s.start.p[i]);
     }
-    error = sample.y.p[row] - (1.0 - weight) * argument - weight * nonlinearity_value(code, argument);
+    error = sample.y.p[row] - (1.0 - weight) * argument - weight * plants_nonlinearity_value(code, argument);
     for (int64_t i = 0; i < n; i++) {
       for (int64_t j = 0; j < n; j++) {
         s.change.p[i] += s.gain.p[i * s.gain.m + j] * sample.D.p[row * sample.D.m + j] * error;

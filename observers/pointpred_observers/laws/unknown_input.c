@@ -1,41 +1,15 @@
 /* Written by `make laws` from the laws: change those and run it again. */
 #include "laws.h"
 
-static const double unknown_input_boxes_BORDER = 1e-09;
 static const int64_t unknown_input_stage_BASE = 0;
 static const int64_t unknown_input_stage_ESTIMATE = 4;
 static const int64_t unknown_input_stage_RATE = 3;
 static const int64_t unknown_input_stage_STAGE = 2;
 static const int64_t unknown_input_stage_TOTAL = 1;
 
-/* The weight of each vertex of a box at a point; false for a point outside. */
-WIDE bool unknown_input_boxes_weigh(Table axes, Vector p, Vector weights) {
-  int64_t count;
-  double low, high, slack, up;
-  count = 1;
-  weights.p[0] = 1.0;
-  for (int64_t axis = 0; axis < axes.n; axis++) {
-    low = axes.p[axis * axes.m + 0];
-    high = axes.p[axis * axes.m + 1];
-    slack = unknown_input_boxes_BORDER * (high - low);
-    if (!(low - slack <= p.p[axis] && p.p[axis] <= high + slack)) {
-      return false;
-    }
-    if (low < high) {
-      up = min_float(max_float((p.p[axis] - low) / (high - low), 0.0), 1.0);
-      for (int64_t i = count - 1; i > (-1); i--) {
-        weights.p[2 * i + 1] = weights.p[i] * up;
-        weights.p[2 * i] = weights.p[i] * (1.0 - up);
-      }
-      count *= 2;
-    }
-  }
-  return true;
-}
-
 /* The matrices at a point of a box from those at its vertices, a row each; false for one outside. */
 bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block) {
-  if (!unknown_input_boxes_weigh(axes, p, weights)) {
+  if (!plants_boxes_weigh(axes, p, weights)) {
     return false;
   }
   for (int64_t j = 0; j < block.n; j++) {

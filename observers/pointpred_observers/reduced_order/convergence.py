@@ -8,9 +8,9 @@ import msgspec
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred_observers.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
-from pointpred_observers.matrices import positive
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.numerics.matrices import positive
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
 from pointpred_observers.reduced_order.reversed_connection import Connection
 
 

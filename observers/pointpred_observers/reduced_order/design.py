@@ -15,17 +15,20 @@ from pointpred.errors import (
     UndecidedError,
 )
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, inward, outward
-from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.documents.entries import Functions, Values, finite, gap_of, matrices_of, plain
-from pointpred_observers.eigenvalues import require_detectable, vertices
-from pointpred_observers.equalities import NO_DIGIT, TOLERANCE, without_rounding
-from pointpred_observers.error_systems.system import ErrorSystem
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import matrix, positive
+from pointpred_observers.interconnected.simulation import like, same
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward, outward
+from pointpred_observers.numerics.eigenvalues import require_detectable, vertices
+from pointpred_observers.numerics.equalities import NO_DIGIT, TOLERANCE, without_rounding
+from pointpred_observers.numerics.matrices import matrix, positive
 from pointpred_observers.observer import Observer
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.plants.entries import Functions, Values, finite, gap_of, matrices_of, plain
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.bounds import ErrorBound
+from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.search import least_in_both, outward_all
+from pointpred_observers.proofs.stationary import filter_start
 from pointpred_observers.reduced_order.convergence import Convergence
 from pointpred_observers.reduced_order.reversed_certificate import (
     certified_convergence,
@@ -36,11 +39,8 @@ from pointpred_observers.reduced_order.reversed_connection import (
     InvariantObserver,
 )
 from pointpred_observers.reduced_order.upsilon import InjectionSearch, Split, split
-from pointpred_observers.search import least_in_both, outward_all
-from pointpred_observers.simulations.persidskii import like, same
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
-from pointpred_observers.stationary import filter_start
 
 GAMMAS = (1.0, 1e-2)
 """The gamma of Theorem 3.3.1 that are tried, as shares of the decay."""

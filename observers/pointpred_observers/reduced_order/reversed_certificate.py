@@ -11,19 +11,19 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, inward
-from pointpred_observers.bounds import least_ratio
-from pointpred_observers.eigenvalues import require_decay, vertices
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.inequalities.unknowns import Block
-from pointpred_observers.matrices import instance, matrix, moments, positive
-from pointpred_observers.nonlinearity import NARROWER
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.eigenvalues import require_decay, vertices
+from pointpred_observers.numerics.matrices import instance, matrix, moments, positive
+from pointpred_observers.plants.nonlinearity import NARROWER
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.bounds import least_ratio
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Posed, at_decay, inward_all, search
+from pointpred_observers.proofs.stationary import cover, decay_start, middle, normal
+from pointpred_observers.proofs.unknowns import Block
 from pointpred_observers.reduced_order.connections import Slopes, connections_of
 from pointpred_observers.reduced_order.convergence import Convergence, convergence
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
-from pointpred_observers.search import Posed, at_decay, inward_all, search
-from pointpred_observers.stationary import cover, decay_start, middle, normal
 
 
 def theorem_3_3_1(

@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.documents.entries import Document, Functions, Rows, entries
-from pointpred_observers.documents.plants import PlantDocument
-from pointpred_observers.equalities import (
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.simulation import like, open_loop, walked
+from pointpred_observers.numerics.equalities import (
     NO_DIGIT,
     TOLERANCE,
     column_units,
@@ -21,18 +22,17 @@ from pointpred_observers.equalities import (
     share_of_terms,
     without_rounding,
 )
-from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import (
+from pointpred_observers.numerics.matrices import (
     dimensions,
     instance,
     matrix,
     share,
 )
 from pointpred_observers.observer import Observer
-from pointpred_observers.simulations.persidskii import like, open_loop, walked
+from pointpred_observers.plants.documents import PlantDocument
+from pointpred_observers.plants.entries import Document, Functions, Rows, entries
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 

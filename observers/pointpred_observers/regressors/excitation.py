@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from pointpred.errors import ParameterError, UndecidedError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.matrices import TIMES, matrix, one_of, positive, vector
+from pointpred_observers.numerics.matrices import TIMES, matrix, one_of, positive, vector
 
 PASSES_MOST = 200
 """Most passes over a record in which P of Theorem 3.3.3 must settle."""

@@ -19,9 +19,9 @@ from pointpred.records import FloatArray, FloatTable
 from pointpred.regression import gradient
 from pointpred.regression.least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
-from pointpred_observers import nonlinearity
-from pointpred_observers.matrices import TIMES, one_of
-from pointpred_observers.nonlinearity import KNOWN
+from pointpred_observers.numerics.matrices import TIMES, one_of
+from pointpred_observers.plants import nonlinearity
+from pointpred_observers.plants.nonlinearity import KNOWN
 
 CONTINUOUS, DISCRETE, NORMALISED, NONLINEAR = 0.0, 1.0, 2.0, 3.0
 """Kinds of law, as stored in the memory."""

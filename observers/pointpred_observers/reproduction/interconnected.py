@@ -15,8 +15,8 @@ from pointpred_observers import steady_state_map, trajectory
 from pointpred_observers.examples import Bioreactor, academic, chua_circuits, robotic_arm
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.reproduction.figures import figure, panel, panels
+from pointpred_observers.simulations.trajectories import SeededSignal
 from pointpred_observers.thesis import closed_loop, residuals
-from pointpred_observers.trajectories import SeededSignal
 
 SIMULATED = "simulated, from the printed initial conditions"
 INFLOWS = (12.7, 7.5)

@@ -12,10 +12,10 @@ from pointpred.records import FloatArray
 from pointpred.reproduction.figure import Reproduction, Value
 from pointpred_observers import interlaced, trajectory
 from pointpred_observers.examples import SPRINGS, interlaced_masses, interlaced_states
+from pointpred_observers.plants.symbolic import SymbolicSteadyState
 from pointpred_observers.reproduction.figures import figure, panel, panels
-from pointpred_observers.trajectories import SeededSignal
+from pointpred_observers.simulations.trajectories import SeededSignal
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, driven_field, outputs_of
-from pointpred_observers.triangular.system import SymbolicSteadyState
 
 END_S, PERIOD_S = 30.0, 0.01
 STEP_S = 2.5e-3

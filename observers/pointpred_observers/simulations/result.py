@@ -14,7 +14,7 @@ from pointpred.extras import missing_extra
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.paths import writable
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.plants.persidskii import Persidskii
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -10,8 +10,8 @@ import numpy as np
 
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.records import FloatArray
-from pointpred_observers.matrices import matrix, vector
-from pointpred_observers.trajectories import Field, trajectory
+from pointpred_observers.numerics.matrices import matrix, vector
+from pointpred_observers.simulations.trajectories import Field, trajectory
 
 Signal = Callable[[float], FloatArray]
 SAMPLES, STEP_S = 1001, 1e-2

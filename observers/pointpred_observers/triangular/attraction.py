@@ -10,14 +10,14 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.eigenvalues import require_detectable
-from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred_observers.error_systems.system import ErrorSystem
+from pointpred_observers.numerics.eigenvalues import require_detectable
+from pointpred_observers.plants.polynomials import symbolic
+from pointpred_observers.plants.symbolic import SymbolicSteadyState
+from pointpred_observers.proofs.bounds import ErrorBound
+from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
+from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.triangular.interlaced_observer import output_matrix
-from pointpred_observers.triangular.polynomials import symbolic
 from pointpred_observers.triangular.ranges import StateRegion, enclosure, intervals_of
-from pointpred_observers.triangular.system import SymbolicSteadyState
 
 TERMS_MOST = 8
 """Most different terms of the Jacobian: each doubles the number of corners."""

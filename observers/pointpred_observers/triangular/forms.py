@@ -10,15 +10,15 @@ from itertools import pairwise
 from typing import Any
 
 from pointpred.errors import ParameterError
-from pointpred_observers.matrices import instance, listed
-from pointpred_observers.triangular.polynomials import Free, power_series, shortened, symbolic
-from pointpred_observers.triangular.ranges import StateRegion, prove_nonzero
-from pointpred_observers.triangular.system import (
+from pointpred_observers.numerics.matrices import instance, listed
+from pointpred_observers.plants.polynomials import Free, power_series, shortened, symbolic
+from pointpred_observers.plants.symbolic import (
     SymbolicGenerator,
     SymbolicSteadyState,
     SymbolicSystem,
     known_degree,
 )
+from pointpred_observers.triangular.ranges import StateRegion, prove_nonzero
 
 
 def interlaced(

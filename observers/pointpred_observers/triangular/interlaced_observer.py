@@ -18,9 +18,14 @@ from numpy.typing import ArrayLike
 from pointpred.errors import DivergenceError, EventError, ParameterError
 from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
-from pointpred_observers.balance import Coordinates, balanced, inward
-from pointpred_observers.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
-from pointpred_observers.documents.entries import (
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.eigenvalues import perron_root, require_detectable
+from pointpred_observers.numerics.matrices import instance, matrix, positive
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.entries import (
     Document,
     Functions,
     Values,
@@ -29,24 +34,19 @@ from pointpred_observers.documents.entries import (
     matrices_of,
     plain,
 )
-from pointpred_observers.documents.expressions import parsed
-from pointpred_observers.documents.symbolic_plants import SteadyStateDocument
-from pointpred_observers.eigenvalues import perron_root, require_detectable
-from pointpred_observers.error_systems.system import ErrorSystem
-from pointpred_observers.inequalities.definite import solved
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
-from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.matrices import instance, matrix, positive
-from pointpred_observers.observer import Observer
-from pointpred_observers.search import Posed, search
+from pointpred_observers.plants.expressions import parsed
+from pointpred_observers.plants.polynomials import symbolic
+from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.plants.symbolic_documents import SteadyStateDocument
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
+from pointpred_observers.proofs.definite import solved
+from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Posed, search
+from pointpred_observers.proofs.stationary import filter_start
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, Signal, run
-from pointpred_observers.stationary import filter_start
 from pointpred_observers.triangular.forms import interlaced
-from pointpred_observers.triangular.polynomials import symbolic
-from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 
 SMALL = 1e-3
 """Weight of the size of U, which decides among gains with the same traces."""
@@ -200,7 +200,7 @@ class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
 
     >>> import sympy as sp
     >>> from pointpred_observers.triangular.forms import interlaced
-    >>> from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSystem
+    >>> from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem
     >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
     >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), 1, w1, degree=2)

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from pointpred.errors import CertificateError
 from pointpred.records import FloatArray
-from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.inequalities.definite import LEAST_POSITIVE, least
-from pointpred_observers.matrices import positive
+from pointpred_observers.numerics.matrices import positive
+from pointpred_observers.proofs.bounds import ErrorBound
+from pointpred_observers.proofs.definite import LEAST_POSITIVE, least
 
 
 class UnknownInputCertificate(msgspec.Struct, frozen=True, eq=False):

@@ -12,9 +12,13 @@ from numpy.typing import NDArray
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, inward, outward
-from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.documents.entries import (
+from pointpred_observers.numerics.balance import Coordinates, inward, outward
+from pointpred_observers.numerics.eigenvalues import number_text, perron_root
+from pointpred_observers.numerics.matrices import instance, matrix, positive
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.boxes import Box, Point
+from pointpred_observers.plants.documents import ParameterVaryingDocument
+from pointpred_observers.plants.entries import (
     Document,
     Functions,
     Rows,
@@ -24,25 +28,21 @@ from pointpred_observers.documents.entries import (
     matrices_of,
     plain,
 )
-from pointpred_observers.documents.plants import ParameterVaryingDocument
-from pointpred_observers.eigenvalues import number_text, perron_root
-from pointpred_observers.error_systems.system import ErrorSystem
-from pointpred_observers.matrices import instance, matrix, positive
-from pointpred_observers.observer import Observer
-from pointpred_observers.search import least_in_both
-from pointpred_observers.simulations.parameter_varying import matrices_at, schedule_of
-from pointpred_observers.simulations.result import Simulation
-from pointpred_observers.simulations.signals import Setting, run, sampled
-from pointpred_observers.unknown_input.boxes import Box, Point
-from pointpred_observers.unknown_input.certificate import UnknownInputCertificate, audit, largest_decay
-from pointpred_observers.unknown_input.gains import ROOMS, discrete_gain, gain, lyapunov
-from pointpred_observers.unknown_input.stage import UnknownInputSample, UnknownInputStage
-from pointpred_observers.unknown_input.system import (
+from pointpred_observers.plants.varying import (
     CornerSystem,
     ParameterVaryingSystem,
     invariant_zeros,
 )
-from pointpred_observers.unknown_input.zeros import independent, kernel
+from pointpred_observers.plants.zeros import independent, kernel
+from pointpred_observers.proofs.bounds import ErrorBound
+from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.search import least_in_both
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.schedules import matrices_at, schedule_of
+from pointpred_observers.simulations.signals import Setting, run, sampled
+from pointpred_observers.unknown_input.certificate import UnknownInputCertificate, audit, largest_decay
+from pointpred_observers.unknown_input.gains import ROOMS, discrete_gain, gain, lyapunov
+from pointpred_observers.unknown_input.stage import UnknownInputSample, UnknownInputStage
 
 OUTPUT_DECAY = 5.0
 """Decay of errors of the outputs in continuous time, in the balanced unit of time of the design."""

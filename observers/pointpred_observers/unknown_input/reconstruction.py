@@ -8,7 +8,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.matrices import matrix
+from pointpred_observers.numerics.matrices import matrix
 
 SINGULAR = 1e-9
 """Singular values below this share of the largest count as zero."""

@@ -12,8 +12,8 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.records import FloatArray, FloatTable
-from pointpred_observers.eigenvalues import perron_root
-from pointpred_observers.unknown_input.boxes import Point, weigh
+from pointpred_observers.numerics.eigenvalues import perron_root
+from pointpred_observers.plants.boxes import Point, weigh
 from pointpred_observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
 
 if TYPE_CHECKING:

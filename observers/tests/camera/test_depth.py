@@ -18,9 +18,9 @@ from pointpred_observers.camera import (
     model,
     simulate,
 )
-from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.varying import ParameterVaryingSystem
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 FOCAL = 800.0
 BOUNDS = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}

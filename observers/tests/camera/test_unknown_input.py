@@ -15,18 +15,18 @@ from evidence.observers import printed
 from evidence.observers.designs import minimum
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.camera import camera_box, camera_system
-from pointpred_observers.documents.files import encoded
-from pointpred_observers.inequalities.definite import least
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.unknown_input.boxes import Box, at_vertices
-from pointpred_observers.unknown_input.certificate import audit, inequality
-from pointpred_observers.unknown_input.gains import ROOMS
-from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.system import (
+from pointpred_observers.files import encoded
+from pointpred_observers.plants.boxes import Box, at_vertices
+from pointpred_observers.plants.varying import (
     CornerSystem,
     ParameterVaryingSystem,
     invariant_zeros,
 )
+from pointpred_observers.proofs.definite import least
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.unknown_input.certificate import audit, inequality
+from pointpred_observers.unknown_input.gains import ROOMS
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 CAMERA = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.06, 0.06), "dw": (-0.1, 0.1)}
 
