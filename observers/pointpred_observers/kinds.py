@@ -81,7 +81,7 @@ def design(plant: Any, kind: str | None = None, *, decay: float = 1.0, **options
         plant = as_plant(plant)
     if kind is None:
         kind = _fitting(plant, options)
-    if kind not in KINDS:
+    if not isinstance(kind, str) or kind not in KINDS:
         raise ParameterError(f"kind must be one of {', '.join(KINDS)}, received {kind!r}", field="kind")
     observer, wanted = KINDS[kind]
     if not isinstance(plant, wanted):

@@ -28,6 +28,7 @@ from pointpred_observers.reduced_order.reversed_certificate import (
 )
 from pointpred_observers.regressors.excitation import linear_independence, regression_margin
 from pointpred_observers.triangular.attraction import assumption_4_4_2
+from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.triangular.interlaced_observer import theorem_4_4_1
 from pointpred_observers.triangular.system import check_steady_state
 
@@ -41,6 +42,7 @@ __all__ = [
     "assumption_3_2_6",
     "assumption_4_4_2",
     "certify_convergence",
+    "certify_interlaced",
     "certify_tracking",
     "check",
     "check_steady_state",

@@ -162,7 +162,7 @@ def test_what_cannot_be_done_is_one_line_and_an_exit_code(
         command, 2, "needs a ParameterVaryingSystem", "design", plant, "--kind", "unknown-input", "--force"
     )
     refused(command, 2, "kind 'driven' needs generator", "design", plant, "--kind", "driven", "--force")
-    refused(command, 2, "needs the file of a plant", "design", motor)
+    refused(command, 2, "a plant must be a Persidskii system or a linear one", "design", motor)
     refused(command, 2, "design one first", "simulate", plant)
     refused(command, 2, "--input must be a function of t", "simulate", motor, "--input", "sin(x)")
     refused(command, 2, "--input: '1/t' has no value at t = 0", "simulate", motor, "--input", "1/t")

@@ -142,7 +142,7 @@ def test_a_file_with_a_certificate_and_a_loose_tolerance_is_refused() -> None:
     with pytest.raises(CertificateError, match=r"tolerance is 0\.99, but a certificate needs"):
         decoded(json.dumps(file))
     without = {key: one for key, one in file.items() if key not in ("certificate", "certificate_gap", "gap")}
-    assert isinstance(decoded(json.dumps(without)), InvariantObserver)
+    assert isinstance(decoded(json.dumps({**without, "kind": "invariant observer"})), InvariantObserver)
 
 
 def test_a_loose_tolerance_that_was_not_needed_does_not_spoil_the_file() -> None:

@@ -39,7 +39,7 @@ TAKING: dict[str, Callable[[Any], Any]] = {
     ),
     "decay must be finite and above 0": lambda v: ReducedOrderObserver.design(PLANT, decay=v),
     NOT_NEEDED: lambda v: unknown_input(output_decay=v),
-    "decay must be a positive number": lambda v: certify([[0.0]], [[1.0]], decay=v),
+    "decay must be finite and above 0, received": lambda v: certify([[0.0]], [[1.0]], decay=v),
     "tolerance must lie in": lambda v: invariant_observer(PLANT, [[0.0, 1.0]], [[-3.0]], tolerance=v),
 }
 

@@ -140,7 +140,7 @@ def test_rounding_of_upsilon_is_no_proof(monkeypatch: pytest.MonkeyPatch) -> Non
     def rounded(*given: Any, **options: Any) -> None:
         raise InfeasibleError("S0 Z + B C0 - Z A0 - Z' = 0 cannot hold: its residual is 5.74e+14")
 
-    monkeypatch.setattr(reduced, "invariant_observer", rounded)
+    monkeypatch.setattr(reduced, "InvariantObserver", rounded)
     with pytest.raises(UndecidedError, match=r"decay = 2 is too large .*require less decay"):
         ReducedOrderObserver.design(MOTOR, decay=2.0)
 

@@ -67,9 +67,8 @@ def of_regulator(coupling: float) -> dict[str, float]:
 def of_interlaced(coupling: float) -> dict[str, float]:
     plant = axes(coupling)
     found = certify_interlaced(plant.A0, plant.C0, decay=1.0)
-    bound, gain = found.bound, float(np.abs(found.L).max())
-    sizes = {"gain": gain, "overshoot": bound.overshoot, "noise": bound.gains[0]}
-    return {**sizes, "speed": noise(plant, found.L)}
+    sizes = {"overshoot": found.bound.overshoot, "noise": found.bound.gains[0]}
+    return {"gain": float(np.abs(found.L).max()), **sizes, "speed": noise(plant, found.L)}
 
 
 def of_unknown_input(coupling: float) -> dict[str, float]:

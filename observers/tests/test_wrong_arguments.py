@@ -41,7 +41,7 @@ from pointpred_observers.thesis import (
 )
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
-from pointpred_observers.unknown_input.observer import UnknownInputObserver, zeros_over
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 sp = pytest.importorskip("sympy")
 X1, X2, U, W1, W2 = sp.symbols("x1 x2 u w1 w2")
@@ -153,7 +153,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (certify_interlaced, {"a": [[0.0]], "c": [[1.0]], "decay": 0.5, "gain": [[1.0]]}),
     (undetectable, {"A": [[0.0]], "C": [[1.0]], "time": "continuous"}),
     (o.invariant_zeros, {"a": np.eye(2), "f": np.eye(2, 1), "c": np.eye(1, 2)}),
-    (zeros_over, {"system": VARYING, "box": BOX}),
+    (o.invariant_zeros, {"a": VARYING, "f": BOX}),
     (o.Box, {"bounds": {"k": (0.0, 1.0)}}),
     (
         o.ParameterVaryingSystem,
@@ -167,7 +167,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
             "time": "continuous",
         },
     ),
-    (UnknownInputObserver.design, {"system": VARYING, "box": BOX, "sigma": 1.0, "output_rate": 5.0}),
+    (UnknownInputObserver.design, {"plant": VARYING, "box": BOX, "decay": 0.5, "output_decay": 5.0}),
     (
         o.interlaced,
         {
@@ -188,7 +188,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (o.SymbolicSystem, {"states": (X1, X2), "field": (-X1, U), "input": U, "zero": (), "outputs": (X1,)}),
     (
         InterlacedObserver.design,
-        {"steady": STEADY, "decay": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
+        {"plant": STEADY, "decay": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
     ),
     (check_map, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "rounding": 0.1}),
     (
@@ -208,7 +208,6 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     ),
     (o.c2d, {"system": PLANT, "step_s": 0.1, "method": "zoh"}),
     (as_plant, {"system": PLANT}),
-    (o.error_system, {"observer": REDUCED}),
     (o.l2_gain, {"system": ERRORS}),
     (o.certify_decay, {"system": ERRORS, "decay": 0.5}),
     (design_state_feedback, {"plant": PLANT, "decay": 1.0, "L1": [[0.0]]}),
@@ -225,9 +224,10 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     ),
     (regulator_equations, {"plant": PLANT, "generator": GENERATOR, "following": ([[1.0, 0.0]], [[1.0]])}),
     (
-        o.observer_stage,
-        {"design": o.design(PLANT, "driven", generator=GENERATOR, Pi=PI, decay=0.0), "step_s": 0.1},
+        o.stage,
+        {"observer": o.design(PLANT, "driven", generator=GENERATOR, Pi=PI, decay=0.0), "step_s": 0.1},
     ),
+    (o.design, {"plant": PLANT, "kind": "full", "decay": 1.0}),
     (regulator_stage, {"plant": SMALL, "regulator": TRACKED, "start": [0]}),
     (
         PersidskiiStage,
@@ -261,7 +261,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     ),
     (FullOrderObserver.design, {"plant": PLANT, "decay": 1.0, "gain": [[3.0], [0.0]]}),
     (o.CornerSystem, {"box": BOX, "A": [[-1.0]], "F": [[1.0]], "C": [[1.0]], "rates": {}, "sizes": [1.0]}),
-    (o.audit, {"design": REDUCED}),
+    (o.audit, {"observer": REDUCED}),
 ]
 
 

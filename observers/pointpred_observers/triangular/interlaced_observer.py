@@ -15,7 +15,7 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.errors import EventError, ParameterError
+from pointpred.errors import DivergenceError, EventError, ParameterError
 from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
 from pointpred_observers.balance import Coordinates, balanced, inward
@@ -423,7 +423,7 @@ class InterlacedStage:
             elif passed > self._gap:
                 self._generator.reset()
             w = self._generator.update(now, y)
-        except EventError:
+        except (DivergenceError, EventError):
             self._generator.recall(before)
             raise
         self._last = now

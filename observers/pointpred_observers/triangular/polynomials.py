@@ -173,28 +173,39 @@ def power_series(
             moved = sum((values[x].diff(w) * one for w, one in zip(over, s, strict=True)), zero)
             ahead = composed(field, values, over, k) - moved
             left.append(cut(ahead, k) - cut(ahead, k - 1))
-        # Monomials of degree k with unknown coefficients in every unknown.
-        monomials = [sp.Mul(*chosen) for chosen in combinations_with_replacement(over, k)]
-        names = [sp.symbols(f"c0:{len(monomials)}", cls=sp.Dummy) for _ in unknowns]
-        guess = [sp.Poly(np.dot(row, monomials), *over) for row in names]
-        equations = []
-        for one, row, rest in zip(guess, slopes, left, strict=True):
-            moved = sum((one.diff(w) * linear for w, linear in zip(over, turn, strict=True)), zero)
-            equations += (rest + sum((a * g for a, g in zip(row, guess, strict=True)), zero) - moved).coeffs()
-        symbols = [c for row in names for c in row]
-        answers = list(sp.linsolve(equations, *symbols))
-        if not answers:
-            raise InfeasibleError(_resonance(unknowns, slopes, turn, left, k))
-        solved = [
-            one.subs(dict(zip(symbols, answers[0], strict=True))) for one in map(sp.Poly.as_expr, guess)
-        ]
-        open_symbols = [c for c in symbols if any(entry.has(c) for entry in answers[0])]
-        for x, one in zip(unknowns, solved, strict=True):
-            values[x] += sp.Poly(sp.cancel(one.subs(dict.fromkeys(open_symbols, 0))), *over)
-        for c in open_symbols:
-            slope = {str(x): sp.expand(sp.diff(one, c)) for x, one in zip(unknowns, solved, strict=True)}
-            free.append(Free(k, {name: term for name, term in slope.items() if term != 0}))
+        terms, open_terms = _of_degree(unknowns, slopes, turn, left, k)
+        for x, term in zip(unknowns, terms, strict=True):
+            values[x] += sp.Poly(term, *over)
+        for one in open_terms:
+            named = zip(unknowns, one, strict=True)
+            free.append(Free(k, {str(x): term for x, term in named if term != 0}))
     return {x: values[x].as_expr() for x in unknowns}, free
+
+
+def _of_degree(
+    unknowns: Sequence[Any], slopes: Any, turn: Sequence[Any], left: Sequence[Any], k: int
+) -> tuple[list[Any], list[list[Any]]]:
+    """The terms of degree k of each unknown, and a basis of those that may be added.
+
+    They balance what is ``left`` of the equations: monomials with coefficients that are to be found.
+    """
+    sp, over = symbolic(), turn[0].gens
+    monomials = [sp.Mul(*chosen) for chosen in combinations_with_replacement(over, k)]
+    names = [sp.symbols(f"c0:{len(monomials)}", cls=sp.Dummy) for _ in unknowns]
+    guess = [sp.Poly(np.dot(row, monomials), *over) for row in names]
+    equations, zero = [], sp.Poly(0, *over)
+    for one, row, rest in zip(guess, slopes, left, strict=True):
+        moved = sum((one.diff(w) * linear for w, linear in zip(over, turn, strict=True)), zero)
+        equations += (rest + sum((a * g for a, g in zip(row, guess, strict=True)), zero) - moved).coeffs()
+    symbols = [c for row in names for c in row]
+    answers = list(sp.linsolve(equations, *symbols))
+    if not answers:
+        raise InfeasibleError(_resonance(unknowns, slopes, turn, left, k))
+    known = dict(zip(symbols, answers[0], strict=True))
+    solved = [one.as_expr().subs(known) for one in guess]
+    chosen = [c for c in symbols if any(entry.has(c) for entry in answers[0])]
+    basis = [[sp.expand(sp.diff(one, c)) for one in solved] for c in chosen]
+    return [sp.cancel(one.subs(dict.fromkeys(chosen, 0))) for one in solved], basis
 
 
 def _resonance(unknowns: Sequence[Any], slopes: Any, turn: Sequence[Any], left: Sequence[Any], k: int) -> str:

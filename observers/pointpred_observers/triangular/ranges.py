@@ -150,7 +150,7 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: State
         low, high = enclosed(box)
         return low > SMALL or high < -SMALL
 
-    def found(what: str, place: Sequence[float]) -> InfeasibleError:
+    def found(place: Sequence[float], what: str = "vanishes") -> InfeasibleError:
         at = ", ".join(f"{w} = {x:.6g}" for w, x in zip(over, place, strict=True))
         return InfeasibleError(f"{name} {what} at {at}")
 
@@ -169,17 +169,16 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: State
             continue
         middle = _middle(box)
         here = value(middle)
-        if here is None or here == 0.0:
-            raise found("has no value" if here is None else "vanishes", middle)
-        if here * sign < 0.0:  # a zero, or a place without a value, lies between the two
-            start, end = centre, middle
-            for _ in range(HALVINGS):
-                middle = [0.5 * (a + b) for a, b in zip(start, end, strict=True)]
-                if (here := value(middle)) is None:
-                    raise found("has no value", middle)
-                start, end = (middle, end) if here * sign > 0.0 else (start, middle)
-            raise found("vanishes" if abs(value(end) or 0.0) < SMALL else "has no value", end)
-        longest = max(range(len(box)), key=lambda i, box=box: box[i][1] - box[i][0])  # type: ignore[misc]
+        if here == 0.0:
+            raise found(middle)
+        if here is not None and here * sign < 0.0:
+            middle, here = _crossing(value, centre, middle)
+            if here is not None and abs(here) < SMALL:
+                raise found(middle)
+            here = None
+        if here is None:
+            raise found(middle, "has no value")
+        longest = max(range(len(box)), key=[high - low for low, high in box].__getitem__)
         low, high = box[longest]
         sides = ((low, middle[longest]), (middle[longest], high))
         boxes += [[*box[:longest], side, *box[longest + 1 :]] for side in sides]
@@ -193,3 +192,16 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: State
 
 def _middle(box: Box) -> list[float]:
     return [0.5 * (low + high) for low, high in box]
+
+
+def _crossing(
+    value: Callable[[Sequence[float]], float | None], start: list[float], end: list[float]
+) -> tuple[list[float], float | None]:
+    """A place between two of opposite sign, and the value there: small at a zero, large or none at a pole."""
+    sign = value(start) or 0.0
+    for _ in range(HALVINGS):
+        middle = [0.5 * (a + b) for a, b in zip(start, end, strict=True)]
+        if (here := value(middle)) is None:
+            return middle, None
+        start, end = (middle, end) if here * sign > 0.0 else (start, middle)
+    return end, value(end)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pointpred_observers.unknown_input.run import UnknownInputSample
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred_observers import Box, ParameterVaryingSystem
 from pointpred_observers.camera import SCENARIOS, DepthObserver, camera_box, camera_system, model, simulate
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
+from pointpred_observers.unknown_input.stage import UnknownInputSample
 
 BOUNDS = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}
 
