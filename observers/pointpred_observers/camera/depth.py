@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from math import ceil, nan
+from math import ceil
 from typing import Annotated, NamedTuple
 
-import msgspec
 import numpy as np
 
 from pointpred.columns import Columns
@@ -13,8 +12,8 @@ from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
-from pointpred.records import FloatTable
-from pointpred.stage import loop_of
+from pointpred.records import FloatArray, FloatTable
+from pointpred.stage import loop_into
 from pointpred_observers.camera.model import SCHEDULED, C
 from pointpred_observers.camera.samples import (
     FOCAL_PX,
@@ -23,7 +22,6 @@ from pointpred_observers.camera.samples import (
     CameraColumns,
     CameraSample,
     CameraStage,
-    sample_at,
     usable,
 )
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
@@ -138,15 +136,12 @@ def inside(memory: Memory, zero: float, eta: float) -> bool:
 
 
 @law
-def step(
-    memory: Memory, sample: tuple[float, float, float, float, float, float, float, float, float]
-) -> tuple[float, float, float, float, float, float, float]:
-    """One sample: t, chi, eta, the zero of chi, detectable, certified, whether there was an image."""
+def step(memory: Memory, row: FloatArray, out: FloatArray) -> None:
+    """One sample; a ``Depth`` into ``out``, which is NaN before."""
     settings, s = memory.settings, memory.state
-    row = CameraSample(*sample)
-    if not usable(row, s.started, s.t, settings.gap_s):
-        return nan, nan, nan, nan, 0.0, 0.0, 0.0
-    t, x, y, wx, wy, wz, _, _, az = row
+    t, x, y, wx, wy, wz, az = row[0], row[1], row[2], row[3], row[4], row[5], row[8]
+    if not usable(CameraSample(t, x, y, wx, wy, wz, row[6], row[7], az), s.started, s.t, settings.gap_s):
+        return
     image = x == x
     flat_x = x / settings.focal_px if image else s.x
     flat_y = y / settings.focal_px if image else s.y
@@ -159,16 +154,17 @@ def step(
     s.started = 1.0
     s.t, s.x, s.y = t, flat_x, flat_y
     s.wx, s.wy, s.wz, s.az = wx, wy, wz, az
+    out[0], out[4], out[5], out[6] = t, 0.0, 0.0, 1.0 if image else 0.0
     if s.imaged == 0.0 or s.lost == 1.0:
-        return t, nan, nan, nan, 0.0, 0.0, 1.0 if image else 0.0
+        return
     eta = s.r - wy * flat_x + wx * flat_y
     zero = flat_y * wx - flat_x * wy + eta
-    decays = zero < -settings.decay and eta < -settings.decay
-    proved = inside(memory, zero, eta)
-    return t, s.chi, eta, zero, 1.0 if decays else 0.0, 1.0 if proved else 0.0, 1.0 if image else 0.0
+    out[1], out[2], out[3] = s.chi, eta, zero
+    out[4] = 1.0 if zero < -settings.decay and eta < -settings.decay else 0.0
+    out[5] = 1.0 if inside(memory, zero, eta) else 0.0
 
 
-class Depth(msgspec.Struct, frozen=True):
+class Depth(NamedTuple):
     """The observer's estimate after a sample.
 
     ``chi`` = 1/Z 1/m, ``eta`` = v_z/Z 1/s and ``zero`` = y w_x - x w_y + eta 1/s, NaN before the first image
@@ -188,11 +184,10 @@ class Depth(msgspec.Struct, frozen=True):
 class DepthColumns(Columns[Depth]):
     """Depths as columns."""
 
-    names = ("t", "chi", "eta", "zero", "detectable", "certified", "image")
+    names = Depth._fields
 
     def _record(self, row: list[float]) -> Depth:
-        t, chi, eta, zero, detectable, certified, image = row
-        return Depth(t, chi, eta, zero, bool(detectable), bool(certified), bool(image))
+        return Depth(row[0], row[1], row[2], row[3], row[4] == 1.0, row[5] == 1.0, row[6] == 1.0)
 
 
 class DepthObserver(CameraStage):
@@ -232,8 +227,8 @@ class DepthObserver(CameraStage):
     )
     observer: UnknownInputObserver | None = option("a design to speak of in the flags", default=None)
     states = State.length
-    width = 7
-    loop = staticmethod(loop_of(step, sample_at))
+    width = len(Depth._fields)
+    loop = staticmethod(loop_into(step))
     step = staticmethod(step)
     layout = Memory
 
@@ -253,8 +248,7 @@ class DepthObserver(CameraStage):
 
     def update(self, sample: CameraSample, /) -> Depth:
         """Consume one sample; a refused one changes nothing."""
-        t, chi, eta, zero, detectable, certified, image = self.advance(sample)
-        return Depth(t, chi, eta, zero, detectable == 1.0, certified == 1.0, image == 1.0)
+        return DepthColumns(self.advance(sample)[None])[0]
 
     def run(self, columns: CameraColumns) -> DepthColumns:
         """Consume a table; when a row is refused the error names it and nothing is consumed."""

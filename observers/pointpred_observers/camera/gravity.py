@@ -11,7 +11,7 @@ from pointpred.compiled import law
 from pointpred.errors import EventError, ParameterError
 from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
-from pointpred.records import FloatArray, Row
+from pointpred.records import FloatArray
 from pointpred.stage import loop_into
 from pointpred_observers.camera.kinematics import back
 from pointpred_observers.camera.samples import CameraColumns, CameraSample, CameraStage, usable
@@ -76,13 +76,6 @@ def step(memory: Memory, row: FloatArray, out: FloatArray) -> None:
         out[6 + i] = row[6 + i] - settings.g * s.up[i]
 
 
-def answer(memory: Any, row: Row) -> Any:
-    """``step`` for one sample without a table."""
-    out = np.full(len(CameraSample._fields), nan)
-    step(memory, np.array(row), out)
-    return out
-
-
 class Gravity(CameraStage):
     """Removes gravity from what an accelerometer measures: a stage before ``CameraPipeline`` and the others.
 
@@ -114,7 +107,7 @@ class Gravity(CameraStage):
     width = len(CameraSample._fields)
     layout = Memory
     loop = staticmethod(loop_into(step))
-    step = staticmethod(answer)
+    step = staticmethod(step)
 
     def settings(self) -> list[float]:
         """The beginning of the memory."""

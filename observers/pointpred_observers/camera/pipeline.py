@@ -92,7 +92,7 @@ class CameraPipeline:
             if not accepted:
                 self.observer.recall(memory)
         d = self.unknown.update(sample, depth.eta)[:2]
-        row = DepthColumns([[depth.t, depth.chi, depth.eta, depth.zero, 0.0, 0.0, 0.0]])
+        row = DepthColumns([depth])
         vx, vy, vz = velocities(np.array([d]), row)[0].tolist()
         return CameraEstimate(depth, (vx, vy, vz), depth.detectable and not self._denied(peer), peer)
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from math import nan, sqrt
-from typing import Annotated, Any
+from math import sqrt
+from typing import Annotated
 
 import msgspec
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.parameter import parameter
-from pointpred.records import BoolArray, FloatArray, Row
+from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import loop_into
 from pointpred_observers.camera import kinematics
 from pointpred_observers.camera.samples import (
@@ -153,13 +153,6 @@ def step(memory: Memory, row: FloatArray, out: Answer) -> None:
         out.running = 1.0
 
 
-def answer(memory: Any, sample: Row) -> Any:
-    """``step`` for one sample without a table."""
-    out: Any = np.full(Answer.length, nan)
-    step(memory, np.array(sample), out)
-    return out
-
-
 class PointEstimate(msgspec.Struct, frozen=True):
     """Point position m and camera velocity m/s, both in the camera's frame, with their covariance.
 
@@ -201,12 +194,6 @@ class PointTrack(msgspec.Struct, frozen=True):
     covariance: FloatArray
     running: BoolArray
     restarts: int
-
-    def at(self, row: int) -> PointEstimate | None:
-        """One row as a record, ``None`` before the filter started."""
-        if not self.running[row]:
-            return None
-        return PointEstimate(float(self.t[row]), self.state[row], self.covariance[row], self.restarts)
 
 
 class PointFilter(CameraStage):
@@ -256,7 +243,7 @@ class PointFilter(CameraStage):
     width = Answer.length
     layout = Memory
     loop = staticmethod(loop_into(step))
-    step = staticmethod(answer)
+    step = staticmethod(step)
 
     def settings(self) -> list[float]:
         """The beginning of the memory, with variances instead of standard deviations."""

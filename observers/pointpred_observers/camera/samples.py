@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from math import nan
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -11,7 +11,7 @@ from pointpred.columns import Columns
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError
 from pointpred.parameter import is_number
-from pointpred.records import LATEST_S, FloatArray, FloatTable
+from pointpred.records import LATEST_S, FloatArray
 from pointpred.stage import CompiledStage
 
 FOCAL_PX = (1.0, 1e6)
@@ -49,15 +49,6 @@ class CameraColumns(Columns[CameraSample]):
 
 
 @law
-def sample_at(
-    rows: FloatTable, i: int
-) -> tuple[float, float, float, float, float, float, float, float, float]:
-    """A row of a table of samples as a tuple."""
-    r = rows[i]
-    return r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]
-
-
-@law
 def usable(sample: CameraSample, started: float, last_t: float, gap_s: float) -> bool:
     """Whether a sample can be used: within the bounds, after the last one and within the longest gap."""
     t, x, y, wx, wy, wz, ax, ay, az = sample
@@ -73,19 +64,20 @@ def usable(sample: CameraSample, started: float, last_t: float, gap_s: float) ->
 class CameraStage(CompiledStage):
     """A stage whose rows are camera samples.
 
-    A subclass names its ``layout``, with ``started`` and ``t`` in the state and ``gap_s`` in the settings.
+    A subclass names its law ``step(memory, row, out)``, which leaves out[0] NaN where it refuses a row, and
+    its ``layout``, with ``started`` and ``t`` in the state and ``gap_s`` in the settings.
     """
 
-    step: ClassVar[Callable[..., Any]]
     layout: ClassVar[Any]
 
     def advance(self, sample: CameraSample, more: tuple[float, ...] = ()) -> Any:
         """The row of answers to one sample; raises EventError or EventOrderError and then changes nothing."""
         values = _numbers(sample) + more
-        row = type(self).step(self._memory, values)
-        if row[0] != row[0]:
+        out = np.full(self.width, nan)
+        type(self).step(self._memory, np.array(values), out)
+        if out[0] != out[0]:
             raise self._reason(values, self._last())
-        return row
+        return out
 
     def table(self, rows: FloatArray) -> FloatArray:
         """The rows of answers to a table; a refused row raises its error and nothing is consumed."""

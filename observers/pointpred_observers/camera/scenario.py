@@ -68,13 +68,6 @@ class Trajectory(msgspec.Struct, frozen=True):
         ratio: FloatArray = self.v[:, 2] * self.chi
         return ratio
 
-    @property
-    def turn(self) -> FloatArray:
-        """The rotation's part of the zero of depth: y w_x - x w_y, 1/s."""
-        x, y = self.image.T
-        rate: FloatArray = y * self.w[:, 0] - x * self.w[:, 1]
-        return rate
-
 
 def _vector(profile: Profile, t: Any) -> Any:
     return np.stack([value + 0.0 * t for value in profile(t)], axis=-1)

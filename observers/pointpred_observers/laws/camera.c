@@ -115,26 +115,24 @@ bool camera_samples_usable(camera_samples_CameraSample sample, double started, d
   return started != 1.0 || (last_t < t && t <= last_t + gap_s);
 }
 
-/* One sample: t, chi, eta, the zero of chi, detectable, certified, whether there was an image. */
-T7d camera_depth_step(camera_depth_Memory * memory, T9d sample) {
+/* One sample; a ``Depth`` into ``out``, which is NaN before. */
+void camera_depth_step(camera_depth_Memory * memory, Vector row, Vector out) {
   camera_depth_Settings * settings;
   camera_depth_State * s;
-  camera_samples_CameraSample row;
   double t, x, y, wx, wy, wz, az, flat_x, flat_y, eta, zero;
-  bool image, decays, proved;
+  bool image;
   settings = &memory->settings;
   s = &memory->state;
-  row = camera_samples_CameraSample_of_T9d(sample);
-  if (!camera_samples_usable(row, s->started, s->t, settings->gap_s)) {
-    return (T7d){NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
+  t = row.p[0];
+  x = row.p[1];
+  y = row.p[2];
+  wx = row.p[3];
+  wy = row.p[4];
+  wz = row.p[5];
+  az = row.p[8];
+  if (!camera_samples_usable((camera_samples_CameraSample){t, x, y, wx, wy, wz, row.p[6], row.p[7], az}, s->started, s->t, settings->gap_s)) {
+    return;
   }
-  t = row.t;
-  x = row.x;
-  y = row.y;
-  wx = row.wx;
-  wy = row.wy;
-  wz = row.wz;
-  az = row.az;
   image = x == x;
   flat_x = image ? x / settings->focal_px : s->x;
   flat_y = image ? y / settings->focal_px : s->y;
@@ -153,14 +151,20 @@ T7d camera_depth_step(camera_depth_Memory * memory, T9d sample) {
   s->wy = wy;
   s->wz = wz;
   s->az = az;
+  out.p[0] = t;
+  out.p[4] = 0.0;
+  out.p[5] = 0.0;
+  out.p[6] = image ? 1.0 : 0.0;
   if (s->imaged == 0.0 || s->lost == 1.0) {
-    return (T7d){t, NAN, NAN, NAN, 0.0, 0.0, image ? 1.0 : 0.0};
+    return;
   }
   eta = s->r - wy * flat_x + wx * flat_y;
   zero = flat_y * wx - flat_x * wy + eta;
-  decays = zero < -settings->decay && eta < -settings->decay;
-  proved = camera_depth_inside(memory, zero, eta);
-  return (T7d){t, s->chi, eta, zero, decays ? 1.0 : 0.0, proved ? 1.0 : 0.0, image ? 1.0 : 0.0};
+  out.p[1] = s->chi;
+  out.p[2] = eta;
+  out.p[3] = zero;
+  out.p[4] = zero < -settings->decay && eta < -settings->decay ? 1.0 : 0.0;
+  out.p[5] = camera_depth_inside(memory, zero, eta) ? 1.0 : 0.0;
 }
 
 /* A vector in the frame after a rotation in rad: exp(-[turn]) applied to it (Rodrigues). */
@@ -601,13 +605,6 @@ void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, c
   }
 }
 
-/* A row of a table of samples as a tuple. */
-T9d camera_samples_sample_at(Table rows, int64_t i) {
-  Vector r;
-  r = (Vector){rows.p + i * rows.m, rows.m};
-  return (T9d){r.p[0], r.p[1], r.p[2], r.p[3], r.p[4], r.p[5], r.p[6], r.p[7], r.p[8]};
-}
-
 /* The known part of the image's motion: (x, y) eta + B w; the rest of (x, y)' is -d. */
 T2d camera_velocity_flow(double x, double y, double eta, double wx, double wy, double wz) {
   double flow_x, flow_y;
@@ -701,17 +698,12 @@ T7d camera_velocity_row_at(Table rows, int64_t i) {
   return (T7d){r.p[0], r.p[1], r.p[2], r.p[3], r.p[4], r.p[5], r.p[6]};
 }
 
-void loop__stage_learn_nothing__camera_samples_sample_at__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
-  T7d answer;
+void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
   for (int64_t i = 0; i < rows.n; i++) {
     if (begin.p[i]) {
-      stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = camera_depth_step((camera_depth_Memory *)memory.p, camera_samples_sample_at(rows, i));
-    for (int64_t j = 0; j < 7; j++) {
-      out.p[i * out.m + j] = ((const double *)&answer)[j];
-    }
+    camera_depth_step((camera_depth_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
   }
 }
 

@@ -93,11 +93,10 @@ typedef struct { double f0; double f1; } T2d;
 typedef struct { double x; double y; double wx; double wy; double wz; double az; } camera_depth_Measured;
 typedef struct { double f0; double f1; double f2; double f3; double f4; } T5d;
 typedef struct { double t; double x; double y; double wx; double wy; double wz; double ax; double ay; double az; } camera_samples_CameraSample;
-typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; } T7d;
-typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; double f8; } T9d;
 typedef struct { double f0; double f1; double f2; } T3d;
 typedef struct { T3d f0; T3d f1; } T2_T3d_;
 typedef struct { double f0; double f1; double f2; double f3; } T4d;
+typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; } T7d;
 typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } camera_velocity_FlowRow;
 typedef struct { Vector codes; Table N; Table L; Table J; Table K; Table R0; Table R1; Table R; Table R2; Vector start; Vector valued; Table V0; Table V1; Table V2; Vector first; } interconnected_persidskii_law_Matrices;
 typedef struct { Vector clock; Vector both; Vector space; Vector absent; } interconnected_persidskii_law_State;
@@ -241,11 +240,10 @@ typedef struct {
   double rest[];
 } regressors_gradient_Memory;
 static inline camera_velocity_FlowRow camera_velocity_FlowRow_of_T7d(T7d value) { return (camera_velocity_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
-static inline camera_samples_CameraSample camera_samples_CameraSample_of_T9d(T9d value) { return (camera_samples_CameraSample){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8}; }
 void camera_depth_carry(camera_depth_State * state, camera_depth_Measured m, double dt);
 bool camera_depth_inside(camera_depth_Memory * memory, double zero, double eta);
 T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx, double dwy);
-T7d camera_depth_step(camera_depth_Memory * memory, T9d sample);
+void camera_depth_step(camera_depth_Memory * memory, Vector row, Vector out);
 void camera_gravity_step(camera_gravity_Memory * memory, Vector row, Vector out);
 void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel);
 T3d camera_kinematics_back(T3d turn, T3d vector);
@@ -264,7 +262,6 @@ void camera_point_filter_correct(camera_point_filter_State * s, double noise, do
 void camera_point_filter_look(camera_point_filter_Memory * memory, double x, double y);
 void camera_point_filter_predict(camera_point_filter_Memory * memory, double dt, T3d w, T3d a);
 void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, camera_point_filter_Answer * out);
-T9d camera_samples_sample_at(Table rows, int64_t i);
 bool camera_samples_usable(camera_samples_CameraSample sample, double started, double last_t, double gap_s);
 T2d camera_velocity_flow(double x, double y, double eta, double wx, double wy, double wz);
 void camera_velocity_predict(camera_velocity_State * s, double density, double eta, double wx, double wy, double wz, double h);
@@ -285,9 +282,9 @@ void interconnected_persidskii_law_replace(interconnected_persidskii_law_Matrice
 void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector to);
 interconnected_persidskii_law_Space interconnected_persidskii_law_space_of(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, int64_t size);
 int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out);
+void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-void loop__stage_learn_nothing__camera_samples_sample_at__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 static inline double nonlinearity_value(double code, double s);
 void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);

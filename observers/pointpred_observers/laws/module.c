@@ -102,18 +102,6 @@ static PyObject *give_T2d(T2d value) {
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
   return tuple;
 }
-static PyObject *give_T7d(T7d value) {
-  PyObject *tuple = PyTuple_New(7);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
-  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
-  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
-  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
-  return tuple;
-}
 static PyObject *give_T3d(T3d value) {
   PyObject *tuple = PyTuple_New(3);
   if (tuple == NULL) return NULL;
@@ -129,8 +117,8 @@ static PyObject *give_T2_T3d_(T2_T3d_ value) {
   PyTuple_SetItem(tuple, 1, give_T3d(value.f1));
   return tuple;
 }
-static PyObject *give_T9d(T9d value) {
-  PyObject *tuple = PyTuple_New(9);
+static PyObject *give_T7d(T7d value) {
+  PyObject *tuple = PyTuple_New(7);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
@@ -139,8 +127,6 @@ static PyObject *give_T9d(T9d value) {
   PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
   PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
   PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
-  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.f7));
-  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.f8));
   return tuple;
 }
 static PyObject *give_T4d(T4d value) {
@@ -231,27 +217,21 @@ static PyObject *py_camera_depth_step(PyObject *self, PyObject *const *args, Py_
   Held held;
   const Py_buffer *view;
   camera_depth_Memory * a0;
-  T9d a1;
-  T7d result;
+  Vector a1;
+  Vector a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
+  if (!(counted(law, count, 3)
         && take_memory(&held, args[0], law, "memory", true, 27, &view)
         && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "sample", 9)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
-        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
-        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
-        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
-        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)))
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = camera_depth_step(a0, a1);
+  camera_depth_step(a0, a1, a2);
   let_go(&held);
-  return give_T7d(result);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.gravity:step";
@@ -676,25 +656,6 @@ static PyObject *py_camera_point_filter_step(PyObject *self, PyObject *const *ar
   camera_point_filter_step(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_camera_samples_sample_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.samples:sample_at";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  int64_t a1;
-  T9d result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a0.m, 9)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = camera_samples_sample_at(a0, a1); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return give_T9d(result);
 }
 static PyObject *py_camera_samples_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.samples:usable";
@@ -1400,6 +1361,32 @@ static PyObject *py_interconnected_persidskii_law_step(PyObject *self, PyObject 
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
+static PyObject *py_loop__camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.depth:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__camera_depth_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyObject *py_loop__camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)";
   Held held;
@@ -1449,33 +1436,6 @@ static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *con
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__camera_point_filter_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_loop__stage_learn_nothing__camera_samples_sample_at__camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.samples:sample_at) (pointpred_observers.camera.depth:step)";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  FlagVector a2;
-  Table a3;
-  Table a4;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
-        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a3.m, 9)
-        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
-        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_samples_sample_at__camera_depth_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1872,7 +1832,6 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.camera.point_filter:look", (PyCFunction)(void (*)(void))py_camera_point_filter_look, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:predict", (PyCFunction)(void (*)(void))py_camera_point_filter_predict, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:step", (PyCFunction)(void (*)(void))py_camera_point_filter_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.samples:sample_at", (PyCFunction)(void (*)(void))py_camera_samples_sample_at, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.samples:usable", (PyCFunction)(void (*)(void))py_camera_samples_usable, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.velocity:flow", (PyCFunction)(void (*)(void))py_camera_velocity_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.velocity:predict", (PyCFunction)(void (*)(void))py_camera_velocity_predict, METH_FASTCALL, NULL},
@@ -1891,9 +1850,9 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.interconnected.persidskii_law:replace", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_replace, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:slope", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_slope, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_into (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__camera_depth_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)", (PyCFunction)(void (*)(void))py_loop__camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)", (PyCFunction)(void (*)(void))py_loop__camera_point_filter_step, METH_FASTCALL, NULL},
-  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.samples:sample_at) (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_samples_sample_at__camera_depth_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.velocity:row_at) (pointpred_observers.camera.velocity:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.nonlinearity:value", (PyCFunction)(void (*)(void))py_nonlinearity_value, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:bend", (PyCFunction)(void (*)(void))py_regressors_gradient_bend, METH_FASTCALL, NULL},

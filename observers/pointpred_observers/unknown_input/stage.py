@@ -133,10 +133,10 @@ class UnknownInputStage:
     missing. Other errors are not corrected in such an interval, and nothing is proved. A sensor that is
     gone for good needs a design of its own.
 
-    Parameters: ``design``; ``start`` the estimate at the first sample, whose outputs the first sample
-    replaces; ``noise`` and ``density`` as for ``InputReconstruction``. Memory: the estimate, one sample, a
-    covariance, and the matrices at the vertices. Raises ParameterError; EventError and EventOrderError from
-    ``update``, which leaves it unchanged.
+    Parameters: ``design``; ``start`` the estimate at the first sample, by default 0, whose outputs the first
+    sample replaces; ``noise`` and ``density`` as for ``InputReconstruction``. Memory: the estimate, one
+    sample, a covariance, and the matrices at the vertices. Raises ParameterError; EventError and
+    EventOrderError from ``update``, which leaves it unchanged.
 
     >>> from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver
     >>> system = ParameterVaryingSystem(
@@ -154,10 +154,10 @@ class UnknownInputStage:
     """
 
     def __init__(
-        self, design: UnknownInputObserver, start: Any, *, noise: Any = None, density: Any = None
+        self, design: UnknownInputObserver, start: Any = None, *, noise: Any = None, density: Any = None
     ) -> None:
-        self.design, self.start = design, np.asarray(start, np.float64)
         outputs, n = design.system.c.shape
+        self.design, self.start = design, np.asarray(np.zeros(n) if start is None else start, np.float64)
         if self.start.shape != (n,) or not np.isfinite(self.start).all():
             raise ParameterError(f"start needs {n} finite numbers, received {start!r:.80}", field="start")
         self.reconstruction = InputReconstruction(outputs, design.system.time, noise=noise, density=density)

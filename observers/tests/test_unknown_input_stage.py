@@ -1,16 +1,19 @@
-"""Unknown input observers of any system: all states measured, redundant and missing outputs, fast poles."""
+"""Unknown input observers of any system that run: every output measured or some missing, costs, refusals."""
 
 from __future__ import annotations
 
+from time import process_time
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pointpred.errors import EventError, InfeasibleError, ParameterError
+from pointpred.errors import EventError, EventOrderError, InfeasibleError, ParameterError
 from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputSample
-from pointpred_observers.camera import SCENARIOS, camera_box, camera_system, model, simulate
+from pointpred_observers.camera import SCENARIOS, DepthObserver, camera_box, camera_system, model, simulate
+from pointpred_observers.camera.scenario import Trajectory
 from pointpred_observers.unknown_input import stage as running
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
@@ -41,6 +44,12 @@ def observed(c: Any, f: Any = F, decay: float = 0.25) -> UnknownInputObserver:
     return UnknownInputObserver.design(system(c, f=f), Box({"k": (-0.5, 0.0)}), decay)
 
 
+def sample(t: float, y: Any, k: Any = 0.0, known: Any = (0.0, 0.0, 0.0)) -> UnknownInputSample:
+    """A sample of constant k, or of a schedule."""
+    y = None if y is None else np.array(y, float)
+    return UnknownInputSample(t, y, np.array(known, float), k if callable(k) else lambda _: {"k": k})
+
+
 def gain_at(observer: UnknownInputObserver, point: Any) -> Any:
     return observer.box.mixed(observer.gains, point)
 
@@ -65,8 +74,7 @@ def run(
     for i, (t, x) in enumerate(zip(times, truth, strict=True)):
         y = one.c @ x
         y[list(lost.get(i, ()))] = NAN
-        known = np.array([0.0, t, 0.0])
-        estimates.append(stage.update(UnknownInputSample(t, y, known, at(t))))
+        estimates.append(stage.update(sample(t, y, at(t), [0.0, t, 0.0])))
     errors = np.array([e.x for e in estimates]) - truth
     return errors, estimates, np.array([d(t) for t in times])
 
@@ -182,10 +190,7 @@ def test_the_filter_reconstructs_the_unknown_input_through_noise() -> None:
     found = {}
     for name, more in {"raw": {}, "filter": {"noise": size, "density": 2.0}}.items():
         stage = observer.stage([0.3, -0.2, 0.5], **more)
-        estimates = [
-            stage.update(UnknownInputSample(t, y, np.zeros(3), at(t)))
-            for t, y in zip(times, outputs, strict=True)
-        ]
+        estimates = [stage.update(sample(t, y, at(t))) for t, y in zip(times, outputs, strict=True)]
         found[name] = np.array([[e.d[0], e.spread[0]] for e in estimates])[100:]
     raw, filtered = (found[name][:, 0] - d[100:] for name in ("raw", "filter"))
     assert raw.std() == pytest.approx(np.sqrt(2.0) * size / h, rel=0.1)
@@ -219,7 +224,7 @@ def test_an_unknown_input_that_stays_is_bridged_without_error() -> None:
     stage = observer.stage([0.3, -0.2])
     for i, (t, x) in enumerate(zip(times, truth, strict=True)):
         y = x[:1] if i < 100 or i > 200 else np.array([NAN])
-        estimate = stage.update(UnknownInputSample(t, y, np.zeros(2), lambda _: {"k": 0.0}))
+        estimate = stage.update(sample(t, y, known=[0.0, 0.0]))
         assert estimate.x == pytest.approx(x, abs=2e-4)
         assert estimate.certified == (i < 100 or i > 201)
         if i > 100:
@@ -228,8 +233,7 @@ def test_an_unknown_input_that_stays_is_bridged_without_error() -> None:
 
 def test_the_first_output_may_be_missing() -> None:
     stage = observed(PART).stage([0.3, -0.2, 0.5])
-    first = stage.update(UnknownInputSample(0.0, np.full(2, NAN), np.zeros(3), lambda _: {"k": 0.0}))
-    second = stage.update(UnknownInputSample(0.5, np.full(2, NAN), np.zeros(3), lambda _: {"k": 0.0}))
+    first, second = stage.update(sample(0.0, [NAN, NAN])), stage.update(sample(0.5, None))
     assert first.x.tolist() == [0.3, -0.2, 0.5]
     wanted = solve_ivp(lambda t, x: A @ x, (0.0, 0.5), first.x, rtol=1e-10, atol=1e-12).y[:, -1]
     assert second.x == pytest.approx(wanted, abs=1e-7)
@@ -260,103 +264,135 @@ def test_a_fast_unknown_input_observer_takes_short_steps() -> None:
     observer = UnknownInputObserver.design(one, Box({"k": (-310.0, -300.0)}), 0.5)
     stage = observer.stage([0.0, 1.0])
     for i in range(40):
-        sample = UnknownInputSample(0.02 * i, np.array([7.0]), np.zeros(2), lambda _: {"k": -300.0})
-        found = stage.update(sample).x[1]
+        found = stage.update(sample(0.02 * i, [7.0], -300.0, [0.0, 0.0])).x[1]
     assert abs(found) < 1e-9
     quick = UnknownInputObserver.design(system(PART), Box({"k": (-0.5, 0.0)}), 0.25, output_decay=400.0)
     errors, _, _ = run(quick, [0.3, 0.2, 0.5], np.arange(0.0, 3.0, 0.04))
     assert np.abs(errors[-1]).max() < 0.05
 
 
-def slow(unit: float) -> UnknownInputObserver:
-    one = system(PART, unit * A)
-    box = Box({"k": (-0.5 * unit, 0.0)})
-    return UnknownInputObserver.design(one, box, 0.25 * unit)
-
-
 def test_a_slow_plant_takes_as_many_steps_as_a_fast_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same plant in other units of time: the same number of rates between two samples."""
     counts, push = [], running.push
     for unit in (1.0, 1e-5):
-        stage = slow(unit).stage([0.3, -0.2, 0.5])
+        slow = system(PART, unit * A)
+        design = UnknownInputObserver.design(slow, Box({"k": (-0.5 * unit, 0.0)}), 0.25 * unit)
+        stage = design.stage([0.3, -0.2, 0.5])
         called: list[int] = []
         monkeypatch.setattr(running, "push", lambda *given, c=called: (c.append(0), push(*given)))
         for i in range(3):
-            sample = UnknownInputSample(0.1 * i / unit, np.ones(2), np.zeros(3), lambda _: {"k": 0.0})
-            stage.update(sample)
+            stage.update(sample(0.1 * i / unit, [1.0, 1.0]))
         counts.append(len(called))
     assert 0 < counts[0] == counts[1] < 200
 
 
-@pytest.mark.parametrize("y", [np.ones(2), None])
-def test_too_long_an_interval_is_refused(y: Any) -> None:
-    stage = slow(1.0).stage([0.3, -0.2, 0.5])
-    schedule = at(0.0)
-    stage.update(UnknownInputSample(0.0, np.ones(2), np.zeros(3), schedule))
-    with pytest.raises(EventError, match=r"bridges at most .* s, 1e\+05 steps: sample more often"):
-        stage.update(UnknownInputSample(1e9, y, np.zeros(3), schedule))
-    assert stage.update(UnknownInputSample(0.01, np.ones(2), np.zeros(3), schedule)).certified
-
-
-def test_none_stands_for_a_sample_without_any_output() -> None:
-    found = []
-    for lost in (None, np.full(2, NAN)):
-        stage = observed(PART).stage([0.3, -0.2, 0.5])
-        for i, y in enumerate((lost, np.ones(2), lost, np.ones(2))):
-            estimate = stage.update(UnknownInputSample(0.1 * i, y, np.zeros(3), at(0.0)))
-            found.append(estimate)
-            assert not estimate.certified
-    assert all(np.array_equal(one.x, two.x) for one, two in zip(found[:4], found[4:], strict=True))
-
-
-def test_what_is_no_sample_is_named() -> None:
-    stage = observed(PART).stage(np.zeros(3))
-    wrong: Any = None
-    with pytest.raises(EventError, match="UnknownInputSample, with y=None where every output is missing"):
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        (sample(0.0, [0.0, 0.0]), "t must increase"),
+        (sample(np.inf, [0.0, 0.0]), "t must be finite"),
+        (sample(0.1, [0.0, np.inf]), "y needs 2 finite numbers"),
+        (sample(0.1, [0.0, 0.0], known=[0.0]), "known needs 3 finite numbers"),
+        (sample(1e9, [1.0, 1.0]), r"bridges at most .* s, 1e\+05 steps: sample more often"),
+        (sample(1e9, None), r"bridges at most .* s, 1e\+05 steps: sample more often"),
+        (None, "UnknownInputSample, with y=None where every output is missing"),
+        (sample(0.1, [0.0, 0.0], lambda _: {}), "a point needs k"),
+    ],
+)
+def test_refusals_change_nothing(wrong: Any, said: str) -> None:
+    observer = observed(PART)
+    with pytest.raises(ParameterError, match="start needs 3 finite numbers"):
+        observer.stage(np.zeros(2))
+    stage = observer.stage([1.0, 2.0, 3.0])
+    first = stage.update(sample(0.0, [0.0, 0.0])).x
+    with pytest.raises((EventError, ParameterError), match=said) as refused:
         stage.update(wrong)
+    assert isinstance(refused.value, EventOrderError) == (said == "t must increase")
+    after = stage.update(sample(0.1, [0.0, 0.0])).x
+    stage.reset()
+    for twin in (stage, stage.fresh()):
+        assert np.array_equal(twin.update(sample(0.0, [0.0, 0.0])).x, first)
+        assert np.array_equal(twin.update(sample(0.1, [0.0, 0.0])).x, after)
+
+
+def test_outside_the_box_it_goes_on_and_says_so() -> None:
+    """There the system's own matrices run, with the gains of the nearest point of the box."""
+    observer = observed(PART)
+    stage = observer.stage([0.3, -0.2, 0.5])
+    for i, k in enumerate((-0.25, 0.5, -0.25)):
+        assert stage.update(sample(0.02 * i, [0.0, 0.0], k)).certified == (k == -0.25)
+    far = observer.stage([0.3, -0.2, 0.5])
+    x, z = far.update(sample(0.0, [0.3, 0.5], 0.5)).x, None
+    gain = gain_at(observer, {"k": 0.0})
+    point = {"k": 0.5}
+    gamma, e = observer.system.gamma(point), observer.system.e(point)
+    z = solve_ivp(
+        lambda _, z: gamma @ (z - e @ [0.3, 0.5]) + gain @ ([0.3, 0.5] - PART @ (z - e @ [0.3, 0.5])),
+        (0.0, 0.1), x + e @ [0.3, 0.5], rtol=1e-11, atol=1e-12,
+    ).y[:, -1]  # fmt: skip
+    assert far.update(sample(0.1, [0.3, 0.5], 0.5)).x == pytest.approx(z - e @ [0.3, 0.5], abs=1e-5)
 
 
 @pytest.fixture(scope="module")
-def camera() -> Any:
+def camera() -> UnknownInputObserver:
     bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}
-    observer = UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **bounds), 0.005)
-    _, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=3.0, image_hz=100.0)
-    return observer, truth
+    return UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **bounds), 0.005)
 
 
-def test_the_camera_through_the_general_reconstruction(camera: Any) -> None:
-    """chi (v_x, v_y) of the paper's scenario, through a gap of half a second without images."""
-    observer, truth = camera
+def of_camera(truth: Trajectory, slopes: Any, k: int, seen: Any, place: Any) -> UnknownInputSample:
+    """A sample of the camera's inertial sensor, with the image ``seen`` and the point in it at ``place``."""
+    x, y = (float(one) for one in place)
+    m = dict(zip(("a_z", "w_x", "w_y"), (truth.a[k, 2], *truth.w[k, :2]), strict=True))
+    m |= {"dw_x": slopes[k, 0], "dw_y": slopes[k, 1]}
+
+    def schedule(e: Any) -> dict[str, float]:
+        here = {"x": x if seen is not None else float(e[0]), "y": y if seen is not None else float(e[1])}
+        eta = float(e[3])
+        return {"zero": here["y"] * m["w_x"] - here["x"] * m["w_y"] + eta, "eta": eta, **here, **m}
+
+    known = np.concatenate([model.interaction(x, y) @ truth.w[k], np.zeros(2)])
+    return UnknownInputSample(truth.t[k], seen, known, schedule)
+
+
+def test_the_camera_through_the_general_observer(camera: UnknownInputObserver) -> None:
+    """chi and eta of the compiled law; chi (v_x, v_y) also through half a second without images."""
+    samples, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=3.0, image_hz=100.0)
     slopes = np.gradient(truth.w, truth.t, axis=0, edge_order=2)
-    z = truth.p[:, 2]
-    stage = observer.stage([0.0, 0.0, 1.0 / z[0], truth.v[0, 2] / z[0]], noise=1e-5, density=1.0)
-    errors: list[Any] = []
-    estimate: Any = None
+    stage = camera.stage([0.0, 0.0, 4.0, -1.6])
+    found = [stage.update(of_camera(truth, slopes, k, one, one)) for k, one in enumerate(truth.image)]
+    compiled = DepthObserver(focal_px=800.0, start_chi=4.0, start_eta=-1.6).run(samples)
+    states = np.array([one.x for one in found])
+    np.testing.assert_allclose(states[:, :2], truth.image, atol=1e-12)
+    np.testing.assert_allclose(states[:, 2], compiled.chi, rtol=1e-3)
+    np.testing.assert_allclose(states[:, 3], compiled.eta, atol=1e-3)
+    assert all(one.certified for one in found)
+
+    stage = camera.stage([0.0, 0.0, truth.chi[0], truth.eta[0]], noise=1e-5, density=1.0)
+    errors, x = [], truth.image[0]
     for k in range(len(truth.t)):
-        seen = truth.image[k] if not 100 <= k < 150 else np.full(2, NAN)
-        x, y = truth.image[k] if not 100 <= k < 150 else (float(one) for one in estimate.x[:2])
-        m = dict(zip(("a_z", "w_x", "w_y"), (truth.a[k, 2], *truth.w[k, :2]), strict=True))
-        m |= {"dw_x": slopes[k, 0], "dw_y": slopes[k, 1]}
-
-        def schedule(e: Any, m: Any = m) -> dict[str, float]:
-            here = {"x": float(e[0]), "y": float(e[1]), "eta": float(e[3])}
-            return {"zero": here["y"] * m["w_x"] - here["x"] * m["w_y"] + here["eta"], **here, **m}
-
-        known = np.concatenate([model.interaction(x, y) @ truth.w[k], np.zeros(2)])
-        estimate = stage.update(UnknownInputSample(truth.t[k], seen, known, schedule))
-        errors.append(estimate.d - truth.v[k, :2] / z[k])
+        lost = 100 <= k < 150
+        seen, place = (None, x[:2]) if lost else (truth.image[k], truth.image[k])
+        estimate = stage.update(of_camera(truth, slopes, k, seen, place))
+        x = estimate.x
+        errors.append(estimate.d - truth.v[k, :2] * truth.chi[k])
     assert np.abs(errors[20:100]).max() < 2e-3
     assert np.abs(errors[250:]).max() < 4e-3
 
 
-def test_what_the_model_needs_is_named(camera: Any) -> None:
-    observer, _ = camera
-    stage = observer.stage([0.0, 0.0, 1.0, -0.5])
+def test_what_the_model_needs_is_named(camera: UnknownInputObserver) -> None:
+    stage = camera.stage([0.0, 0.0, 1.0, -0.5])
     point = {"zero": -0.5, "eta": -0.5, "a_z": 0.0, "w_x": 0.0, "w_y": 0.0, "dw_x": 0.0, "dw_y": 0.0}
-    stage.update(UnknownInputSample(0.0, np.zeros(2), np.zeros(4), lambda _: point))
-    assert np.isnan(stage.update(UnknownInputSample(0.1, np.zeros(2), np.zeros(4), lambda _: point)).d).all()
-    with pytest.raises(EventError, match="the schedule needs the variable 'x' of A"):
-        stage.update(UnknownInputSample(0.2, np.full(2, NAN), np.zeros(4), lambda _: point))
+    for t, y, told in (
+        (0.0, [0.0, 0.0], None),
+        (0.1, [0.0, 0.0], None),
+        (0.2, None, "the variable 'x' of A"),
+    ):
+        given = sample(t, y, lambda _: point, np.zeros(4))
+        if told is None:
+            assert np.isnan(stage.update(given).d).all()
+        else:
+            with pytest.raises(EventError, match=told):
+                stage.update(given)
 
 
 def test_parameters_of_the_reconstruction_are_named() -> None:
@@ -372,3 +408,75 @@ def test_parameters_of_the_reconstruction_are_named() -> None:
             observer.stage(np.zeros(3), **more)
     with pytest.raises(InfeasibleError, match="largest feasible decay"):
         observed([[1.0, 0.0, 0.0]], decay=25.0)
+
+
+def damped(two: bool = False) -> UnknownInputObserver:
+    """Three states, an unknown input at the first; errors of the outputs decay at 10 1/s."""
+    a = np.array([[0.0, 1.0, 0.0], [-1.0, -2.0, 0.3], [0.0, 0.4, -1.0]])
+    moving = np.array([[0.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    c = np.eye(3)[[0, 2]] if two else np.eye(1, 3)
+    one = ParameterVaryingSystem(lambda p: a + p["k"] * moving, [[1.0], [0.0], [0.0]], c)
+    return UnknownInputObserver.design(one, Box({"k": (0.0, 1.0)}), 0.5, output_decay=10.0)
+
+
+def driven(observer: UnknownInputObserver, count: int, k: Any) -> list[UnknownInputSample]:
+    """Samples every 10 ms; ``k(i)`` is the schedule of the sample i."""
+    width = len(observer.system.c)
+    return [
+        sample(0.01 * i, np.full(width, np.sin(0.01 * i)), k(i), [0.0, 0.1 * i, 0.0]) for i in range(count)
+    ]
+
+
+def in_numpy(count: int) -> None:
+    """The arithmetic of as many steps: matrices of two vertices mixed, four rates of three states."""
+    one = np.eye(3)
+    gamma, k, t = (one, 2.0 * one), (one[:, :1], one[:, :1]), (one, 2.0 * one)
+    e, c, y, b, z = one[:, :1], one[:1], np.ones(1), np.ones(3), np.zeros(3)
+    for _ in range(count):
+        rate, total = z, z
+        for at, share in ((0.0, 1.0), (0.5, 2.0), (0.5, 2.0), (1.0, 1.0)):
+            gamma_s, k_s, t_s = ((1.0 - at) * low + at * high for low, high in (gamma, k, t))
+            y_s, b_s = (1.0 - at) * y + at * y, (1.0 - at) * b + at * b
+            x = z + at * 0.01 * rate - e @ y_s
+            rate = gamma_s @ x + k_s @ (y_s - c @ x) + t_s @ b_s
+            total = total + share * rate
+
+
+@pytest.mark.parametrize("moving", [False, True])
+@pytest.mark.parametrize("two", [False, True])
+def test_a_step_costs_no_more_than_its_arithmetic_in_numpy(two: bool, moving: bool) -> None:
+    """Some 45 us also while the schedule moves, where it cost 300; the arithmetic alone is 55."""
+    observer = damped(two)
+    given = driven(observer, 200, lambda i: 0.5 + 0.4 * np.sin(0.05 * i) if moving else 0.5)
+    stage, costs, beside = observer.stage(np.zeros(3)), [], []
+    for _ in range(5):
+        stage.reset()
+        began = process_time()
+        for one in given:
+            stage.update(one)
+        costs.append(process_time() - began)
+        in_numpy(len(given))
+        beside.append(process_time() - began - costs[-1])
+    assert min(costs) < 1.5 * min(beside)
+
+
+@pytest.mark.parametrize("two", [False, True])
+def test_a_schedule_that_rests_gives_the_numbers_of_one_that_moves(two: bool) -> None:
+    """Also where it first moves, and where it follows the estimate, whose steps are integrated."""
+    observer = damped(two)
+
+    def run(k: Any, width: float) -> list[Any]:
+        """Estimates with ``width`` added to the schedule by halves, so that it moves in each interval."""
+        stage = observer.stage([0.0, 1.0, -1.0])
+        given = driven(observer, 40, lambda i: 0.0)
+        return [
+            stage.update(msgspec.structs.replace(one, schedule=lambda x, i=i: {"k": k(x) + width * (i % 2)}))
+            for i, one in enumerate(given)
+        ]
+
+    for k in (lambda x: 0.5, lambda x: 0.5 + 0.1 * np.tanh(x[1])):
+        resting, moving = run(k, 0.0), run(k, 1e-13)
+        for one, other in zip(resting, moving, strict=True):
+            assert one.x == pytest.approx(other.x, rel=1e-9, abs=1e-11)
+            assert one.d == pytest.approx(other.d, rel=1e-7, abs=1e-9, nan_ok=True)
+            assert one.certified == other.certified
