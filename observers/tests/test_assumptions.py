@@ -29,6 +29,7 @@ from pointpred_observers.thesis import (
     assumption_3_2_6,
     assumption_4_4_2,
     certify_tracking,
+    closed_loop,
     remark_3_2_2,
 )
 from pointpred_observers.triangular.ranges import enclosure
@@ -79,11 +80,7 @@ def test_the_plant_approaches_its_map_within_the_bound(seed: int) -> None:
     push = 0.2 * rng.normal(size=2)
 
     def field(t: float, both: Any) -> Any:
-        x, w = both[:2], both[2:]
-        u = generator.output(w)
-        return np.concatenate(
-            [plant.field(t, x, u) + push * np.sin(t), generator.field(w, y=plant.output(t, x), f=plant.f)]
-        )
+        return closed_loop(plant, generator, t, both, d=push * np.sin(t))
 
     start = rng.normal(size=4)
     times = np.arange(0.0, 6.0, 0.25)

@@ -41,9 +41,8 @@ class Generator:
 
     Reference: Khalin 2022, (3.2), (3.8).
 
-    >>> circle = Generator([[0.0, 1.0], [-1.0, 0.0]], L0=[1.0, 0.0])
-    >>> circle.field([1.0, 0.0]).tolist()
-    [0.0, -1.0]
+    >>> Generator([[0.0, 1.0], [-1.0, 0.0]], L0=[1.0, 0.0]).q
+    2
     """
 
     def __init__(
@@ -101,31 +100,6 @@ class Generator:
         j = None if self.J is None else matrix("J", self.J, plant.r if self.f is None else None, q)
         self._fitted = given, Fitted(q=q, S0=self.S0, J=j, **full)
         return self._fitted[1]
-
-    def field(self, w: Any, *, y: Any = None, rho: Any = None, f: Any = None) -> FloatArray:
-        """The w' (or the next w); ``f`` is the plant's nonlinearity, used if the generator has none."""
-        w = np.asarray(w, np.float64)
-        change: FloatArray = self.S0 @ w
-        if self.S1 is not None and self.S1.any():
-            change = change + self.S1 @ self._nonlinear(w, f)
-        for name, signal in ((self.G, y), (self.E, rho)):
-            if name is not None and signal is not None:
-                change = change + name @ np.atleast_1d(signal)
-        return change
-
-    def output(self, w: Any, *, f: Any = None) -> FloatArray:
-        """The input u = L0 w + L1 f(Jw)."""
-        w = np.asarray(w, np.float64)
-        u = np.zeros(0) if self.L0 is None else self.L0 @ w
-        if self.L1 is not None and self.L1.any():
-            u = u + self.L1 @ self._nonlinear(w, f)
-        return np.asarray(u, np.float64)
-
-    def _nonlinear(self, w: FloatArray, f: Any) -> Any:
-        own = f if self.f is None else self.f
-        if own is None or self.J is None:
-            raise ParameterError("the nonlinear part needs f and J: give them, or take them from the plant")
-        return own(self.J @ w)
 
 
 def fitted(generator: Any, plant: Plant, name: str = "generator") -> Fitted:

@@ -9,8 +9,6 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.errors import ParameterError
-from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.balance import Coordinates, balanced
 from pointpred_observers.numerics.matrices import instance, positive
@@ -66,19 +64,13 @@ def decay_inequalities(system: ErrorSystem, decay: float) -> MatrixInequalities:
     return problem
 
 
-def certify_decay(
-    system: ErrorSystem,
-    *,
-    decay: float | None = None,
-    domain: float = np.inf,
-) -> DecayCertificate:
+def certify_decay(system: ErrorSystem, *, decay: float | None = None) -> DecayCertificate:
     """A certificate that the error decays, with small overshoot and gains.
 
     Assumes one P for all corners, which is conservative where there are several: a refusal does not say that
     some f keeps the error from decaying.
 
-    Parameters: ``decay`` in 1/s (1/step), > 0, by default a fraction of the slowest corner's; ``domain`` > 0
-    if the corners hold within a smaller one than the system's.
+    Parameters: ``decay`` in 1/s (1/step), > 0, by default a fraction of the slowest corner's.
     Raises InfeasibleError naming an eigenvalue that does not decay before any solver runs;
     InfeasibleError, UndecidedError, CertificateError from the solver.
 
@@ -93,10 +85,7 @@ def certify_decay(
     """
     if decay is not None:
         positive("decay", decay)
-    if not is_number(domain) or not domain > 0.0:
-        raise ParameterError(f"domain must lie above 0, received {domain!r}", field="domain", value=domain)
     slowest = instance("system", system, ErrorSystem).slowest()
-    system = msgspec.structs.replace(system, domain=min(float(domain), system.domain))
     units = partial(balanced, system.A, driven=system.B, time=system.time)
 
     def certified(rate: float) -> DecayCertificate:
