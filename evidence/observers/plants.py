@@ -9,20 +9,13 @@ import numpy as np
 
 from pointpred.errors import UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers import (
-    Box,
-    Generator,
-    ParameterVaryingSystem,
-    Persidskii,
-    UnknownInputObserver,
-    certify_convergence,
-    certify_interlaced,
-    certify_tracking,
-    design_observer,
-    design_reduced_order,
-    invariant_observer,
-)
-from pointpred_observers.stationary import filter_start
+from pointpred_observers import Box, Generator, ParameterVaryingSystem, Persidskii, invariant_observer
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.proofs.stationary import filter_start
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.thesis import certify_convergence, certify_tracking
+from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 KINDS = ("random", "stiff", "slow", "badly scaled", "nearly unobservable")
 SLOW = 1e-5
@@ -98,13 +91,13 @@ def copied(one: Problem, time: str) -> Any:
     plant = one.plant(time=time)
     generator = Generator(plant.A0, plant.A1, plant.H)
     decay = one.decay if time == "continuous" else 0.02
-    return design_observer(plant, generator, np.eye(one.n), decay=decay)
+    return DrivenObserver.design(plant, generator=generator, Pi=np.eye(one.n), decay=decay)
 
 
 def reduced(one: Problem, *, linear: bool, time: str = "continuous") -> Any:
     """An observer of the states that are not measured."""
     decay = one.decay if time == "continuous" else 0.02
-    return design_reduced_order(one.plant(linear=linear, time=time), decay=decay, injection=not linear)
+    return ReducedOrderObserver.design(one.plant(linear=linear, time=time), decay=decay)
 
 
 def certified(one: Problem) -> Any:
@@ -149,7 +142,7 @@ def followed(one: Problem) -> Any:
 
 def interlaced(one: Problem) -> Any:
     """The observer of an interlaced system: a generator and the row that it shows."""
-    return certify_interlaced(one.inner(one.a), one.c[:1] * one.x / one.y[0], rate=one.decay)
+    return certify_interlaced(one.inner(one.a), one.c[:1] * one.x / one.y[0], decay=one.decay)
 
 
 def unknown(one: Problem) -> Any:
@@ -162,7 +155,7 @@ def unknown(one: Problem) -> Any:
         lambda p: force / x[:, None],
         one.c * x / y[:, None],
     )
-    return UnknownInputObserver.design(system, Box({"s": (-1.0, 1.0)}), 0.2 * one.t)
+    return UnknownInputObserver.design(system, Box({"s": (-1.0, 1.0)}), 0.1 * one.t)
 
 
 DOORS: dict[str, Callable[[Problem], Any]] = {

@@ -33,7 +33,8 @@ def eta_rate_12(truth: Trajectory) -> FloatArray:
 
 def chi_rate_14(truth: Trajectory) -> FloatArray:
     """First entry of f_u in (14) as printed: all three signs are wrong."""
-    rate: FloatArray = -truth.chi * (truth.eta + truth.turn)
+    x, y = truth.image.T
+    rate: FloatArray = -truth.chi * (truth.eta + y * truth.w[:, 0] - x * truth.w[:, 1])
     return rate
 
 

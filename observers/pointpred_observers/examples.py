@@ -1,4 +1,4 @@
-"""The systems of examples 1 to 7 of the thesis, corrected where the print is wrong."""
+"""The systems of examples 1 to 9 of the thesis, corrected where the print is wrong."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.generator import Generator
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.plants.generator import Generator
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.plants.polynomials import symbolic
+from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem
 
 ROBOT_INPUT = (0.0, 21.6, 0.0, 0.0)
 """B of the robotic arm: the input drives the motor only."""
@@ -177,3 +179,28 @@ def vapours(seed: int = 7, count: int = 125) -> tuple[FloatArray, FloatArray]:
     pressure = tank + random.normal(0.0, 0.25, count)
     rows = np.column_stack([warm, gas, tank, pressure])
     return rows, rows @ VAPOURS + random.normal(0.0, 2.8, count)
+
+
+SPRINGS = {"k1": 3, "k2": 3, "k3": 0.6, "a1": 0.6, "a2": 2}
+"""The parameters of example 9: springs and dampers."""
+
+
+def interlaced_states() -> tuple[SymbolicSystem, SymbolicGenerator]:
+    """Example 8, (4.17): (x1, x2) feeds forward what (x3, x4) feeds back, under an oscillator."""
+    x1, x2, x3, x4, u = symbolic().symbols("x1:5 u")
+    field = (-x1 + x2**2 * x3, -x2 + x3, -(x3**3) + x4, -x4 + (1 + x3**2) * u)
+    return SymbolicSystem((x1, x2, x3, x4), field, u, outputs=(x3,)), oscillator()
+
+
+def interlaced_masses() -> tuple[SymbolicSystem, SymbolicGenerator]:
+    """Example 9: two masses on springs, in y1 = x1, y2 = x2, y3 = x1 - x3, y4 = x2 - x4."""
+    y1, y2, y3, y4, u, k1, k2, k3, a1, a2 = symbolic().symbols("y1:5 u k1:4 a1:3")
+    force = k1 * y3 + k2 * y3**3 + a1 * y4
+    field = (y2, -force, y4, -2 * force + k3 * (y1 - y3) + a2 * (y2 - y4) - u)
+    return SymbolicSystem((y1, y2, y3, y4), field, u, outputs=(y3,)), oscillator()
+
+
+def oscillator() -> SymbolicGenerator:
+    """w1' = w2, w2' = -w1, which drives examples 8 and 9."""
+    w1, w2 = symbolic().symbols("w1 w2")
+    return SymbolicGenerator((w1, w2), (w2, -w1))

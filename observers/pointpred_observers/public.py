@@ -1,178 +1,59 @@
-"""The public names of the package."""
+"""The public names of the package; what the thesis calls by numbers is in ``thesis``."""
 
 from pointpred.regression import RecursiveLeastSquares
-from pointpred_observers.bounds import ErrorBound, convergence_bound, interconnection_bound
-from pointpred_observers.detectability import undetectable
-from pointpred_observers.discretisation import c2d
-from pointpred_observers.documents.files import audit, load, save
-from pointpred_observers.error_equations import error_system
-from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred_observers.error_systems.l2_gain import L2Gain, l2_gain
-from pointpred_observers.error_systems.system import ErrorSystem
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, Solution, check
-from pointpred_observers.interconnected.assumptions import assumption_3_2_3, assumption_3_2_6
-from pointpred_observers.interconnected.design import ObserverDesign, design_observer
-from pointpred_observers.interconnected.full_order import design_full_order
-from pointpred_observers.interconnected.generator import Generator
-from pointpred_observers.interconnected.incremental import assumption_3_2_2
-from pointpred_observers.interconnected.interconnection import theorem_3_2_1
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
-from pointpred_observers.interconnected.persidskii_observer import (
-    PersidskiiObserver,
-    observer_stage,
-    regulator_stage,
+from pointpred_observers.files import audit, load, save
+from pointpred_observers.interconnected.steady_state import steady_state_map
+from pointpred_observers.kinds import design, simulate, stage
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.discretisation import c2d
+from pointpred_observers.plants.generator import Generator
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem
+from pointpred_observers.plants.varying import (
+    CornerSystem,
+    ParameterVaryingSystem,
+    invariant_zeros,
 )
-from pointpred_observers.interconnected.regulator import RegulatorDesign, design_regulator
-from pointpred_observers.interconnected.regulator_equations import RegulatorEquations, regulator_equations
-from pointpred_observers.interconnected.sector import SectorBounds, sector_bounds
-from pointpred_observers.interconnected.state_feedback import StateFeedback, design_state_feedback
-from pointpred_observers.interconnected.steady_state import SteadyState, residuals, steady_state_map
-from pointpred_observers.interconnected.tracking import (
-    TrackingCertificate,
-    certify_tracking,
-    closed_loop,
-    theorem_3_2_2,
-    theorem_3_2_3,
-)
-from pointpred_observers.linear_systems import as_plant
-from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.reduced_order.convergence import Convergence
-from pointpred_observers.reduced_order.design import ReducedOrderDesign, design_reduced_order
-from pointpred_observers.reduced_order.invariant_stage import invariant_stage
-from pointpred_observers.reduced_order.reversed_certificate import (
-    certify_convergence,
-    theorem_3_3_1,
-    theorem_3_3_2,
-)
-from pointpred_observers.reduced_order.reversed_connection import (
-    InvariantObserver,
-    invariant_observer,
-)
-from pointpred_observers.regressors.excitation import (
-    Excitation,
-    discrete_excitation,
-    linear_independence,
-    persistent_excitation,
-)
-from pointpred_observers.regressors.gradient import GradientRegressor
-from pointpred_observers.regressors.nonlinear_regression import (
-    NonlinearRegressor,
-    RegressionMargin,
-    regression_margin,
-)
-from pointpred_observers.simulations.regressions import Regression
-from pointpred_observers.simulations.result import Simulation
-from pointpred_observers.simulations.simulate import simulate
-from pointpred_observers.trajectories import SeededSignal, trajectory
-from pointpred_observers.triangular.attraction import AttractionCertificate, assumption_4_4_2
-from pointpred_observers.triangular.forms import feedback, feedforward, interlaced
-from pointpred_observers.triangular.interlaced_certificate import InterlacedCertificate, theorem_4_4_1
-from pointpred_observers.triangular.interlaced_certificate import certify as certify_interlaced
-from pointpred_observers.triangular.interlaced_observer import InterlacedEstimate, InterlacedObserver
-from pointpred_observers.triangular.printed import check_steady_state
-from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred_observers.unknown_input.boxes import Box
-from pointpred_observers.unknown_input.certificate import UnknownInputCertificate
-from pointpred_observers.unknown_input.corners import CornerSystem
-from pointpred_observers.unknown_input.invariant_zeros import invariant_zeros
-from pointpred_observers.unknown_input.observer import UnknownInputObserver, zeros_over
-from pointpred_observers.unknown_input.run import UnknownInputEstimate, UnknownInputSample
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
-from pointpred_observers.unknown_input.takagi_sugeno import TakagiSugeno
+from pointpred_observers.proofs.decay import certify_decay
+from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.l2_gain import l2_gain
+from pointpred_observers.reduced_order.reversed_connection import invariant_observer
+from pointpred_observers.regressors.excitation import persistent_excitation
+from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
+from pointpred_observers.regressors.regressions import Regression
+from pointpred_observers.simulations.trajectories import trajectory
+from pointpred_observers.triangular.forms import interlaced
+from pointpred_observers.unknown_input.stage import UnknownInputSample
 
 __all__ = [
-    "AttractionCertificate",
     "Box",
-    "Convergence",
     "CornerSystem",
-    "DecayCertificate",
-    "ErrorBound",
     "ErrorSystem",
-    "Excitation",
     "Generator",
     "GradientRegressor",
-    "InterlacedCertificate",
-    "InterlacedEstimate",
-    "InterlacedObserver",
-    "InvariantObserver",
-    "L2Gain",
-    "MatrixInequalities",
-    "MissingInputs",
     "NonlinearRegressor",
-    "ObserverDesign",
+    "Observer",
     "ParameterVaryingSystem",
     "Persidskii",
-    "PersidskiiObserver",
     "RecursiveLeastSquares",
-    "ReducedOrderDesign",
     "Regression",
-    "RegressionMargin",
-    "RegulatorDesign",
-    "RegulatorEquations",
-    "SectorBounds",
-    "SeededSignal",
-    "Simulation",
-    "Solution",
-    "StateFeedback",
-    "SteadyState",
     "SymbolicGenerator",
-    "SymbolicSteadyState",
     "SymbolicSystem",
-    "TakagiSugeno",
-    "TrackingCertificate",
-    "UnknownInputCertificate",
-    "UnknownInputEstimate",
-    "UnknownInputObserver",
     "UnknownInputSample",
-    "as_plant",
-    "assumption_3_2_2",
-    "assumption_3_2_3",
-    "assumption_3_2_6",
-    "assumption_4_4_2",
     "audit",
     "c2d",
-    "certify_convergence",
     "certify_decay",
-    "certify_interlaced",
-    "certify_tracking",
-    "check",
-    "check_steady_state",
-    "closed_loop",
-    "convergence_bound",
-    "design_full_order",
-    "design_observer",
-    "design_reduced_order",
-    "design_regulator",
-    "design_state_feedback",
-    "discrete_excitation",
-    "error_system",
-    "feedback",
-    "feedforward",
-    "interconnection_bound",
+    "design",
     "interlaced",
     "invariant_observer",
-    "invariant_stage",
     "invariant_zeros",
     "l2_gain",
-    "linear_independence",
     "load",
-    "observer_stage",
     "persistent_excitation",
-    "regression_margin",
-    "regulator_equations",
-    "regulator_stage",
-    "residuals",
     "save",
-    "sector_bounds",
     "simulate",
+    "stage",
     "steady_state_map",
-    "theorem_3_2_1",
-    "theorem_3_2_2",
-    "theorem_3_2_3",
-    "theorem_3_3_1",
-    "theorem_3_3_2",
-    "theorem_4_4_1",
     "trajectory",
-    "undetectable",
-    "zeros_over",
 ]

@@ -9,11 +9,11 @@ import numpy as np
 
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.equalities import allowed
-from pointpred_observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
 from pointpred_observers.interconnected.steady_state import equality_terms, residuals
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import instance, matrix, positive
+from pointpred_observers.numerics.equalities import allowed
+from pointpred_observers.numerics.matrices import instance, matrix, positive
+from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
+from pointpred_observers.plants.linear_systems import Plant, as_plant
 
 Residuals = Callable[[dict[str, FloatArray]], dict[str, FloatArray]]
 

@@ -12,5 +12,5 @@ import pytest
 def solved_by(name: str) -> Iterator[None]:
     """Let a solver of cvxpy solve every problem posed within."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pointpred_observers.inequalities.solver.SOLVER", name)
+        patch.setattr("pointpred_observers.proofs.solver.SOLVER", name)
         yield

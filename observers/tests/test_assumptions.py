@@ -15,16 +15,23 @@ from pointpred_observers import (
     Persidskii,
     SymbolicGenerator,
     SymbolicSystem,
-    assumption_3_2_2,
-    assumption_3_2_3,
-    assumption_3_2_6,
-    assumption_4_4_2,
-    certify_tracking,
+    c2d,
     interlaced,
     steady_state_map,
     trajectory,
 )
 from pointpred_observers.examples import academic, chua_circuits
+from pointpred_observers.interconnected.assumptions import joined
+from pointpred_observers.thesis import (
+    assumption_1_3_1,
+    assumption_3_2_2,
+    assumption_3_2_3,
+    assumption_3_2_6,
+    assumption_4_4_2,
+    certify_tracking,
+    closed_loop,
+    remark_3_2_2,
+)
 from pointpred_observers.triangular.ranges import enclosure
 
 sp = pytest.importorskip("sympy")
@@ -73,11 +80,7 @@ def test_the_plant_approaches_its_map_within_the_bound(seed: int) -> None:
     push = 0.2 * rng.normal(size=2)
 
     def field(t: float, both: Any) -> Any:
-        x, w = both[:2], both[2:]
-        u = generator.output(w)
-        return np.concatenate(
-            [plant.field(t, x, u) + push * np.sin(t), generator.field(w, y=plant.output(t, x), f=plant.f)]
-        )
+        return closed_loop(plant, generator, t, both, d=push * np.sin(t))
 
     start = rng.normal(size=4)
     times = np.arange(0.0, 6.0, 0.25)
@@ -154,9 +157,9 @@ def test_example_9_satisfies_4_4_2_in_a_region() -> None:
     low, high = found.terms["y3**2"]
     assert -1e-12 < low <= 0.0
     assert high == pytest.approx(0.09, rel=1e-3)
-    assert min(found.decay.margins.values()) > 0.0
+    assert min(found.certificate.margins.values()) > 0.0
     slope = steady.system.field[1].diff(y3)
-    assert float(slope.subs(y3, 0.3)) == pytest.approx(found.decay.system.A[:, 1, 2].min(), rel=1e-3)
+    assert float(slope.subs(y3, 0.3)) == pytest.approx(found.certificate.system.A[:, 1, 2].min(), rel=1e-3)
 
 
 @pytest.mark.parametrize("expression", ["x*y - x**2*sin(z)", "exp(x)*y/(2 + z)", "x**3", "sqrt(2 + x*y*z)"])
@@ -188,7 +191,7 @@ def test_two_solutions_of_example_9_approach_each_other_within_the_bound() -> No
     assert max(np.abs(run[:, 2]).max() for run in runs) < 0.3
     first = float(np.linalg.norm(starts[0] - starts[1]))
     for t, one, other in zip(times, *runs, strict=True):
-        assert np.linalg.norm(one - other) <= found.decay.bound(float(t), first) + 1e-9
+        assert np.linalg.norm(one - other) <= found.bound(float(t), first) + 1e-9
 
 
 @pytest.mark.slow
@@ -225,8 +228,8 @@ def test_the_residual_of_a_truncated_steady_state_is_a_disturbance(force: Any, d
     errors = np.linalg.norm(run - function(w(times))[:2].T, axis=1)
     assert np.abs(run[:, 0]).max() < 0.8
     assert errors.max() > 1e-3
-    assert (errors <= [found.decay.bound(float(t), 0.0) for t in times]).all()
-    assert found.decay.bound.rest == found.residual * found.decay.bound.gains[0]
+    assert (errors <= [found.bound(float(t), 0.0) for t in times]).all()
+    assert found.bound.rest == found.residual * found.bound.gains[0]
 
 
 def test_the_output_must_show_the_generator() -> None:
@@ -261,4 +264,84 @@ def test_the_circuits_of_example_4_are_not_contracting_where_they_oscillate() ->
     plant, generator = chua_circuits(1.0)
     assert steady_state_map(plant, generator).Pi == pytest.approx(np.eye(3), abs=1e-9)
     found = assumption_3_2_2(plant, generator)
-    assert found.bound.rate > 0.0
+    assert found.bound.decay > 0.0
+
+
+OVEN = Persidskii([[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], "tanh", [0.0, 1.0], None, [1.0, 0.0])
+TURNING = [[0.0, 1.0], [-4.0, 0.0]]
+
+
+def test_assumption_1_3_1_holds_for_an_oscillator_and_a_stable_plant() -> None:
+    found = assumption_1_3_1(OVEN, Generator(TURNING, L0=[1.0, 0.0]))
+    # tanh has the slope 1 at 0: the linear part is ((-1, 0.5), (-1, -2)).
+    assert found.decay == pytest.approx(1.5)
+    assert np.allclose(sorted(one.imag for one in found.eigenvalues), [-2.0, 2.0])
+    assert found.assumed == ()
+    turning = Generator(TURNING, [0.0, -1.0], [[1.0, 0.0]], None, [1.0, 0.0])
+    assert assumption_1_3_1(OVEN, turning).assumed == ("the generator is neutrally stable",)
+    sampled = assumption_1_3_1(c2d(OVEN, 0.1), Generator([[0.6, 0.8], [-0.8, 0.6]], L0=[1.0, 0.0]))
+    assert sampled.decay == pytest.approx(0.15, rel=0.05)
+
+
+LINEAR = Persidskii([[-1.0, 0.0], [0.0, -2.0]], None, None, "sin", [1.0, 1.0], None, [1.0, 1.0])
+
+
+@pytest.mark.parametrize(
+    ("plant", "generator", "told"),
+    [
+        (LINEAR, Generator([[0.5]], L0=[1.0]), "a motion of the eigenvalue 0.5 grows"),
+        (LINEAR, Generator([[-0.5]], L0=[1.0]), "a motion of the eigenvalue -0.5 decays"),
+        (LINEAR, Generator([[0.0, 1.0], [0.0, 0.0]], L0=[1.0, 0.0]), "the eigenvalue .* is multiple"),
+        (LINEAR, Generator(np.zeros((2, 2)), L0=[1.0, 0.0]), "eigenvalue 0 of the generator never shows"),
+        (c2d(LINEAR, 0.1), Generator([[1.1]], L0=[1.0]), r"a motion of the eigenvalue 1\.1 grows"),
+        (Persidskii([[1.0]], None, None, "sin", [1.0], None, [1.0]), Generator([[0.0]], L0=[1.0]),
+         "the plant has the eigenvalue 1, must lie left of 0"),
+        (Persidskii(LINEAR.A0, None, None, "sin", [1.0, 0.0], None, [1.0, 1.0]), Generator([[0.0]], L0=[1.0]),
+         "the mode of the eigenvalue -2 is reached by no input"),
+        (Persidskii(LINEAR.A0, None, None, "sin", [1.0, 1.0], None, [0.0, 1.0]), Generator([[0.0]], L0=[1.0]),
+         "the mode of the eigenvalue -1 of the plant never shows"),
+    ],
+)  # fmt: skip
+def test_what_assumption_1_3_1_excludes_is_named(plant: Persidskii, generator: Generator, told: str) -> None:
+    with pytest.raises(InfeasibleError, match=rf"Assumption 1\.3\.1: .*{told}"):
+        assumption_1_3_1(plant, generator)
+
+
+def test_the_observer_of_remark_3_2_2_is_the_one_that_is_printed() -> None:
+    """Its field from the remark, and its estimates from far beyond x = Pi w."""
+    generator = Generator(TURNING, [0.3, 0.0], [[0.0, 1.0]], [0.2, 0.1], [1.0, 0.0], [0.5])
+    found, (n, q) = remark_3_2_2(OVEN, generator, decay=0.5), (2, 2)
+    assert min(found.margins.values()) > 0.0
+    assert found.bound.decay >= 0.5
+    g, f = generator.beside(OVEN), OVEN.f
+    lx, lw = found.gain[:n], found.gain[n:] - g.G
+
+    def printed(x: Any, w: Any, y: Any) -> Any:
+        missing = y - OVEN.C0 @ x
+        u = g.L0 @ w + g.L1 @ f(g.J @ w)
+        dx = OVEN.A0 @ x + OVEN.A1 @ f(OVEN.H @ x) + OVEN.B @ u + lx @ missing
+        return np.concatenate([dx, g.S0 @ w + g.S1 @ f(g.J @ w) + g.G @ y + lw @ missing])
+
+    joint, rng = joined(OVEN, generator), np.random.default_rng(0)
+    z, y = rng.normal(size=n + q), rng.normal(size=1)
+    assert np.allclose(
+        joint.field(0.0, z) + found.gain @ (y - joint.output(0.0, z)), printed(z[:n], z[n:], y), atol=1e-12
+    )
+
+    def field(t: float, both: Any) -> Any:
+        true, other = both[: n + q], both[n + q :]
+        return np.concatenate([joint.field(t, true), printed(other[:n], other[n:], joint.output(t, true))])
+
+    times = np.arange(0.0, 12.0, 0.5)
+    both = trajectory(field, [3.0, -2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], times)
+    errors = np.linalg.norm(both[:, : n + q] - both[:, n + q :], axis=1)
+    assert all(e <= found.bound(t, errors[0]) for t, e in zip(times, errors, strict=True))
+    assert errors[-1] < 1e-2 * errors[0]
+
+
+def test_remark_3_2_2_without_gains_needs_a_generator_whose_motions_meet() -> None:
+    none = (np.zeros((2, 1)), np.zeros((2, 1)))
+    damped = Generator([[0.0, 1.0], [-4.0, -1.0]], L0=[1.0, 0.0])
+    assert not remark_3_2_2(OVEN, damped, gains=none, decay=0.1).gain.any()
+    with pytest.raises(InfeasibleError):
+        remark_3_2_2(OVEN, Generator(TURNING, L0=[1.0, 0.0]), gains=none, decay=0.1)

@@ -7,8 +7,9 @@ import pytest
 from scipy import signal
 
 from pointpred.errors import ParameterError
-from pointpred_observers import Generator, Persidskii, c2d, residuals, steady_state_map, trajectory
-from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers import Generator, Persidskii, c2d, steady_state_map, trajectory
+from pointpred_observers.files import decoded, encoded
+from pointpred_observers.thesis import residuals
 
 A0 = np.array([[0.0, 1.0], [-2.0, -0.3]])
 PLANT = Persidskii(A0, [0.0, -0.5], [1.0, 0.0], "sin", [0.0, 1.0], [1.0, 0.0], [1.0, 0.0])
@@ -28,18 +29,18 @@ def test_a_linear_plant_under_held_inputs_is_exact() -> None:
     held, rng, x = c2d(plant, 0.3), np.random.default_rng(1), np.array([1.0, 0.0])
     for k in range(8):
         u = rng.normal(size=1)
-        true = trajectory(lambda t, one: plant.field(t, one, u), x, [0.0, 0.3], integrator="scipy")[-1]  # noqa: B023
+        true = trajectory(lambda t, one: plant.field(t, one, u), x, [0.0, 0.3])[-1]  # noqa: B023
         x = held.field(k, x, u)
         assert x == pytest.approx(true, abs=1e-9)
 
 
 @pytest.mark.parametrize("method", ["zoh", "euler"])
 def test_half_the_step_is_half_the_error(method: str) -> None:
-    true = trajectory(PLANT.field, [1.0, 0.0], [0.0, 2.0], integrator="scipy")[-1]
+    true = trajectory(PLANT.field, [1.0, 0.0], [0.0, 2.0])[-1]
     errors = []
     for count in (100, 200, 400):
         sampled = c2d(PLANT, 2.0 / count, method=method)
-        end = trajectory(sampled.field, [1.0, 0.0], np.arange(count + 1), integrator="discrete")[-1]
+        end = trajectory(sampled.field, [1.0, 0.0], np.arange(count + 1), time="discrete")[-1]
         errors.append(np.abs(end - true).max())
     assert np.array(errors[:-1]) / errors[1:] == pytest.approx(2.0, rel=0.05)
 

@@ -15,7 +15,7 @@ import pytest
 
 import pointpred_observers as o
 from pointpred_observers.cli.observer_examples import EXAMPLES
-from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.files import decoded, encoded
 from tests.conftest import Left
 
 GUIDE = Path(__file__).parents[1] / "docs" / "own-plant.md"
@@ -58,7 +58,7 @@ def test_design_audit_and_simulate_from_files(command: Command, motor: Path, tmp
     numbers = json.loads(audited.out)
     assert audited.code == 0
     assert numbers["margins"] == o.audit(o.load(motor))
-    assert numbers["rate"] >= 5.0
+    assert numbers["bounds"]["error"]["decay"] >= 5.0
     pytest.importorskip("matplotlib")
     left = command(
         "observers", "simulate", motor, "--input", "sin(2*t)", "--noise", "0.01", "--start", "0.5,0,0",
@@ -80,11 +80,11 @@ def test_design_audit_and_simulate_from_files(command: Command, motor: Path, tmp
 
 
 KINDS = [
-    ("motor", "reduced-order", ()),
-    ("motor", "full-order", ("--observer", "full-order")),
-    ("pendulum", "reduced-order", ()),
-    ("pendulum", "regulator", ("--observer", "regulator", "--decay", "0.5")),
-    ("tank", "reduced-order", ("--decay", "0.1")),
+    ("motor", "reduced", ()),
+    ("motor", "full", ("--kind", "full")),
+    ("pendulum", "reduced", ()),
+    ("pendulum", "regulator", ("--kind", "regulator", "--decay", "0.5")),
+    ("tank", "reduced", ("--decay", "0.1")),
     ("wing", "unknown-input", ("--decay", "0.5")),
 ]
 
@@ -110,23 +110,18 @@ def test_every_kind_is_designed_and_simulated(
 def test_both_bounds_of_a_regulator_are_written_and_named(command: Command, tmp_path: Path) -> None:
     """Neither bounds x: the table had those of the slower one as if they bounded it."""
     plant = o.Persidskii([[0.0, 1.0], [-1.0, -1.0]], None, None, "sin", [0.0, 1.0], None, [1.0, 0.0])
-    design = o.design_regulator(plant, decay=1.0, observer_decay=3.0)
+    design = o.design(plant, "regulator", decay=1.0, observer_decay=3.0)
     o.save(design, tmp_path / "design.json")
     written = json.loads(command("observers", "audit", tmp_path / "design.json", "--json", "-").out)
     error, estimate = design.observer.bound, design.feedback.certificate.bound
     assert list(written["bounds"]) == ["x - Pi w", "Pi w"]
     for name, bound in (("x - Pi w", error), ("Pi w", estimate)):
         one = written["bounds"][name]
-        assert (one["rate"], one["overshoot"]) == (bound.rate, bound.overshoot)
+        assert (one["decay"], one["overshoot"]) == (bound.decay, bound.overshoot)
         assert tuple(one["gains"].values()) == bound.gains
-    assert (written["rate"], written["overshoot"], written["gains"]) == (None, None, None)
     shown = " ".join(command("observers", "audit", tmp_path / "design.json").out.split())
-    for words in ("proved of x - Pi w", "proved of Pi w", f"{error.rate:.6g}", f"{estimate.rate:.6g}"):
+    for words in ("proved of x - Pi w", "proved of Pi w", f"{error.decay:.6g}", f"{estimate.decay:.6g}"):
         assert words in shown
-    alone = o.design_full_order(plant, decay=1.0)
-    o.save(alone, tmp_path / "alone.json")
-    written = json.loads(command("observers", "audit", tmp_path / "alone.json", "--json", "-").out)
-    assert written["bounds"]["error"] == {key: written[key] for key in ("rate", "overshoot", "gains")}
 
 
 def test_plants_with_a_generator(command: Command, tmp_path: Path) -> None:
@@ -161,14 +156,14 @@ def test_what_cannot_be_done_is_one_line_and_an_exit_code(
     refused(command, 2, "PLANT must be one of these", "example", "robot")
     refused(command, 2, "exists: choose another --out, or --force", "example", "motor", "--out", plant)
     refused(command, 2, "exists: choose another --out, or --force", "design", plant)
-    refused(command, 2, "--observer must be one of", "design", plant, "--observer", "kalman", "--force")
-    refused(command, 2, "--decay must lie above 0", "design", plant, "--decay", "0", "--force")
+    refused(command, 2, "kind must be one of", "design", plant, "--kind", "kalman", "--force")
+    refused(command, 2, "decay must be finite and above 0", "design", plant, "--decay", "0", "--force")
     refused(
-        command, 2, "'parameter-varying plant'", "design", plant, "--observer", "unknown-input", "--force"
+        command, 2, "needs a ParameterVaryingSystem", "design", plant, "--kind", "unknown-input", "--force"
     )
-    refused(command, 2, "needs GENERATOR", "design", plant, "--observer", "driven", "--force")
-    refused(command, 2, "needs the file of a plant", "design", motor)
-    refused(command, 2, "design one first", "simulate", plant)
+    refused(command, 2, "kind 'driven' needs generator", "design", plant, "--kind", "driven", "--force")
+    refused(command, 2, "a plant must be a Persidskii system or a linear one", "design", motor)
+    refused(command, 2, "design an observer first", "simulate", plant)
     refused(command, 2, "--input must be a function of t", "simulate", motor, "--input", "sin(x)")
     refused(command, 2, "--input: '1/t' has no value at t = 0", "simulate", motor, "--input", "1/t")
     refused(command, 2, "--input: 'log(0)' has no finite real value", "simulate", motor, "--input", "log(0)")
@@ -198,17 +193,17 @@ def test_an_option_that_would_be_ignored_is_refused(command: Command, motor: Pat
     assert command("observers", "design", tank, "--decay", "0.1").code == 0
     design = tmp_path / "tank_design.json"
     refused(command, 2, "--seconds must be a whole number", "simulate", design, "--seconds", "7.5")
-    words = "is for --observer interlaced, this one is reduced-order: leave it out"
-    refused(command, 2, f"--upper {words}", "design", plant, "--upper", "1", "--force")
-    generator = (tank, "--observer", "full-order")
-    refused(command, 2, "GENERATOR is for --observer driven", "design", plant, *generator, "--force")
+    words = "is no option of kind 'reduced', which has Pi"
+    refused(command, 2, f"upper {words}", "design", plant, "--upper", "1", "--force")
+    generator = (tank, "--kind", "full")
+    refused(command, 2, "generator is no option of kind 'full'", "design", plant, *generator, "--force")
 
 
 def test_a_steady_state_of_another_symbol_is_refused(command: Command, tmp_path: Path) -> None:
     for name in ("spring", "oscillator"):
         command("observers", "example", name, "--out", tmp_path / f"{name}.json")
     generator = (tmp_path / "oscillator.json", "--upper", "1")
-    words = "--first may hold the generator's states w1, w2, received 'foo+1' with foo"
+    words = "first may hold the generator's states w1, w2, received 'foo+1' with foo"
     refused(command, 2, words, "design", tmp_path / "spring.json", *generator, "--first", "foo+1")
 
 
@@ -244,7 +239,7 @@ def test_no_command_replaces_what_it_reads(command: Command, tmp_path: Path) -> 
     other = tmp_path / "other.json"
     assert command("observers", "example", "tank", "--out", plant).code == 0
     assert command("observers", "example", "heating", "--out", generator).code == 0
-    o.save(o.design_full_order(o.load(plant), decay=0.1), design)
+    o.save(o.design(o.load(plant), "full", decay=0.1), design)
     (tmp_path / "motor.json").write_bytes(plant.read_bytes())
     before = {one: one.read_bytes() for one in (plant, design, generator)}
     driven = ("design", plant, generator)
@@ -271,7 +266,7 @@ def test_no_command_replaces_what_it_reads(command: Command, tmp_path: Path) -> 
 def test_results_replace_no_plant_and_no_design_but_older_results(command: Command, tmp_path: Path) -> None:
     plant, design, result = (tmp_path / name for name in ("tank.json", "design.json", "result.json"))
     assert command("observers", "example", "tank", "--out", plant).code == 0
-    o.save(o.design_full_order(o.load(plant), decay=0.1), design)
+    o.save(o.design(o.load(plant), "full", decay=0.1), design)
     before = plant.read_bytes()
     refused(command, 2, "--json", "audit", design, "--json", plant)
     assert plant.read_bytes() == before
@@ -284,7 +279,7 @@ def test_what_is_written_takes_its_place_when_it_is_whole(
 ) -> None:
     plant, design, signals = (tmp_path / name for name in ("tank.json", "design.json", "tank.csv"))
     assert command("observers", "example", "tank", "--out", plant).code == 0
-    o.save(o.design_full_order(o.load(plant), decay=0.1), design)
+    o.save(o.design(o.load(plant), "full", decay=0.1), design)
     signals.write_text("mine", encoding="utf-8")
     held = {one: one.read_bytes() for one in (plant, signals)}
 
@@ -309,5 +304,5 @@ def test_a_plant_whose_slopes_have_no_bound_is_refused_with_its_file(
     plant = tmp_path / "spring.json"
     o.save(o.Persidskii([[-1.0, 1.0], [0.0, -1.0]], [0.0, -1.0], [0.0, 1.0], "cube", C0=[1.0, 0.0]), plant)
     words = f"{plant}: a design needs bounded slopes (give slopes and their domain)"
-    for kind in ("reduced-order", "full-order", "regulator"):
-        refused(command, 2, words, "design", plant, "--observer", kind)
+    for kind in ("reduced", "full", "regulator"):
+        refused(command, 2, words, "design", plant, "--kind", kind)

@@ -12,21 +12,11 @@ from scipy.linalg import expm
 
 from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers import (
-    Generator,
-    ObserverDesign,
-    Persidskii,
-    SeededSignal,
-    convergence_bound,
-    design_observer,
-    error_system,
-    interconnection_bound,
-    observer_stage,
-    theorem_3_2_1,
-    trajectory,
-)
-from pointpred_observers.bounds import ErrorBound
-from pointpred_observers.interconnected.design import certified_design
+from pointpred_observers import Generator, Persidskii, trajectory
+from pointpred_observers.interconnected.design import DrivenObserver, certified_design
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, proved_bound
+from pointpred_observers.simulations.trajectories import SeededSignal
+from pointpred_observers.thesis import theorem_3_2_1
 
 
 def random_pair(seed: int, *, time: str = "continuous") -> tuple[Persidskii, Generator, Any]:
@@ -44,7 +34,7 @@ def random_pair(seed: int, *, time: str = "continuous") -> tuple[Persidskii, Gen
     return plant, Generator(s0, s1, G=g), np.eye(q)
 
 
-def audit(design: ObserverDesign) -> float:
+def audit(design: DrivenObserver) -> float:
     """The largest eigenvalue of d/dt of V along the error of each corner of the slopes, written anew."""
     v, g, plant = design.values, design.generator, design.plant
     m, j = design.gain, plant.H @ design.Pi
@@ -87,7 +77,7 @@ def test_a_bound_refuses_what_is_no_time_and_no_size(
 def test_a_design_dissipates_at_every_slope(seed: int, time: str) -> None:
     plant, generator, pi = random_pair(seed, time=time)
     try:
-        design = design_observer(plant, generator, pi)
+        design = DrivenObserver.design(plant, generator=generator, Pi=pi, decay=0.0)
     except InfeasibleError:
         return  # said with a bound, which is what test_inequalities proves
     assert audit(design) < 1e-6
@@ -101,7 +91,7 @@ def test_a_design_dissipates_at_every_slope(seed: int, time: str) -> None:
 def test_the_error_stays_within_its_bound(seed: int) -> None:
     plant, generator, pi = random_pair(seed)
     try:
-        design = design_observer(plant, generator, pi, decay=0.1)
+        design = DrivenObserver.design(plant, generator=generator, Pi=pi, decay=0.1)
     except InfeasibleError:
         return
     g, m = design.generator, design.gain
@@ -123,7 +113,7 @@ def test_the_error_stays_within_its_bound(seed: int) -> None:
     errors = np.linalg.norm(both[:, :q] - both[:, q:], axis=1)
     bounds = [design.bound(t, errors[0], v=0.05, w=0.05 * np.sqrt(q)) for t in times]
     assert (errors <= np.array(bounds) + 1e-9).all()
-    assert design.bound.rate >= 0.1 - 1e-6
+    assert design.bound.decay >= 0.1 - 1e-6
 
 
 def test_noise_acts_through_g_and_through_the_gain() -> None:
@@ -132,10 +122,10 @@ def test_noise_acts_through_g_and_through_the_gain() -> None:
     generator = Generator([[-1.0]], G=[1.0], L0=[2.0])
     values = {"P": [[1.0]], "Theta": [[2.0 - 1e-6]], "Gamma": [[1.0 + 1e-6]], "Xi": [[1e8]]}
     design = certified_design(plant, generator, [[1.0]], [[1.0]], values)
-    system = error_system(design)
+    system = design.error_system()
     assert np.allclose(system.A, -2.0)
     assert np.allclose(system.B, [[[-2.0, -1.0, 1.0]]])
-    stage = observer_stage(design, start=[1.0])
+    stage = design.stage(start=[1.0])
     for t in np.arange(0.0, 12.0, 0.1):  # the generator at rest at 0, but for the noise that the stage reads
         error = abs(float(stage.update(t, [0.25])[0]))
         assert error <= design.bound(t, 1.0, v=0.25)
@@ -143,7 +133,7 @@ def test_noise_acts_through_g_and_through_the_gain() -> None:
     assert design.bound(12.0, 1.0, v=0.25) < 0.2501
     assert design.bound.gains[0] == pytest.approx(np.sqrt(2.0) * design.bound.gains[1])
     without = Persidskii([[-1.0]], None, None, "sin", [1.0], None, [1.0])
-    filtered = design_observer(without, Generator([[-1.0]], L0=[0.0]), [[1.0]])
+    filtered = DrivenObserver.design(without, generator=Generator([[-1.0]], L0=[0.0]), Pi=[[1.0]], decay=0.0)
     assert filtered.bound.gains[0] == filtered.bound.gains[1]
 
 
@@ -152,11 +142,11 @@ def test_noise_acts_through_g_and_through_the_gain() -> None:
 def test_every_gain_covers_what_a_constant_disturbance_leaves(seed: int, time: str) -> None:
     plant, generator, pi = random_pair(seed, time=time)
     try:
-        design = design_observer(plant, generator, pi)
+        design = DrivenObserver.design(plant, generator=generator, Pi=pi, decay=0.0)
     except InfeasibleError:
         return
     for name, gain in zip(design.bound.disturbances, design.bound.gains, strict=True):
-        system = error_system(design).disturbed_by(name)
+        system = design.error_system().disturbed_by(name)
         for a, b in zip(system.A, system.B, strict=True):
             rest = np.linalg.solve(a if time == "continuous" else np.eye(len(a)) - a, b)
             assert np.linalg.norm(rest, 2) <= gain * (1.0 + 1e-9)
@@ -165,16 +155,16 @@ def test_every_gain_covers_what_a_constant_disturbance_leaves(seed: int, time: s
 def test_two_solvers_agree_on_a_design() -> None:
     pytest.importorskip("cvxopt", reason="the second solver is a tool of the tests only")
     plant, generator, pi = random_pair(4)
-    first = design_observer(plant, generator, pi)
+    first = DrivenObserver.design(plant, generator=generator, Pi=pi, decay=0.0)
     with solved_by("CVXOPT"):
-        second = design_observer(plant, generator, pi)
+        second = DrivenObserver.design(plant, generator=generator, Pi=pi, decay=0.0)
     assert first.values["Gamma"][0, 0] == pytest.approx(second.values["Gamma"][0, 0], rel=1e-5)
     assert np.allclose(first.values["P"], second.values["P"], rtol=1e-3, atol=1e-3)
 
 
 def test_the_stage_of_a_design_estimates_the_generator() -> None:
     plant, generator, pi = random_pair(8)
-    design = design_observer(plant, generator, pi)
+    design = DrivenObserver.design(plant, generator=generator, Pi=pi, decay=0.0)
     g, j = design.generator, plant.H @ pi
     times = np.cumsum(np.random.default_rng(0).uniform(0.002, 0.02, 1500))
 
@@ -186,7 +176,7 @@ def test_the_stage_of_a_design_estimates_the_generator() -> None:
     watched = Persidskii(
         plant.A0, plant.A1, plant.H, plant.f, None, np.full((g.q, 1), 0.3), plant.C0, plant.C1
     )
-    stage = observer_stage(design_observer(watched, driven, pi))
+    stage = DrivenObserver.design(watched, generator=driven, Pi=pi, decay=0.0).stage()
     w = trajectory(field, np.ones(g.q), times, step_s=5e-3)
     rows = [stage.update(t, [*plant.output(t, one), np.cos(t)]) for t, one in zip(times, w, strict=True)]
     errors = np.abs(np.array(rows)[:, : g.q] - w).max(axis=1)
@@ -205,7 +195,7 @@ def test_the_region_keeps_every_argument_in_the_domain() -> None:
         slopes=(0.0, 12.0),
         domain=2.0,
     )
-    design = design_observer(plant, Generator(plant.A0, plant.A1), np.eye(2))
+    design = DrivenObserver.design(plant, generator=Generator(plant.A0, plant.A1), Pi=np.eye(2), decay=0.0)
     level, radius = design.region(0.5)
     angles = np.linspace(0.0, 2.0 * np.pi, 400)
     circle = np.array([np.cos(angles), np.sin(angles)])
@@ -220,7 +210,9 @@ def test_the_region_keeps_every_argument_in_the_domain() -> None:
     with pytest.raises(CertificateError, match="the trajectory reaches 2, the slopes hold within 2 only"):
         design.region(2.0)
     everywhere = Persidskii(plant.A0, plant.A1, plant.H, "sin", C0=plant.C0)
-    assert design_observer(everywhere, Generator(plant.A0, plant.A1), np.eye(2)).region(9.0) == (
+    assert DrivenObserver.design(
+        everywhere, generator=Generator(plant.A0, plant.A1), Pi=np.eye(2), decay=0.0
+    ).region(9.0) == (
         np.inf,
         np.inf,
     )
@@ -232,7 +224,8 @@ def test_theorem_3_3_1_as_printed_is_broken_and_with_its_factor_holds() -> None:
     assert -1.0 * 4.0 + 0.01 + gamma * 4.0 < 0.0
     printed = 1.0 / np.sqrt(gamma)
     assert printed < 2.0
-    assert convergence_bound(p, xi, gamma)(1e9, 0.0, delta=1.0) >= 2.0
+    bound = proved_bound(p, decay_of(p, xi, "continuous"), {"delta": 4.0 / gamma})
+    assert bound(1e9, 0.0, delta=1.0) >= 2.0
 
 
 @given(st.integers(0, 2**31))
@@ -244,18 +237,14 @@ def test_bounds_hold_for_linear_errors(seed: int) -> None:
     p = np.eye(3)
     theta = -(a + a.T) * 0.5
     gamma = np.linalg.inv(theta)  # -theta/... : 2 e'w <= e' theta e + w' theta^-1 w
-    for sharp in (False, True):
-        bound = interconnection_bound(p, theta, np.eye(1), gamma, sharp=sharp)
-        rest = -np.linalg.solve(a, np.eye(3)[0])
-        for t in (0.1, 1.0, 5.0):
-            assert np.linalg.norm(expm(a * t), 2) <= bound(t, 1.0) + 1e-12
-        assert np.linalg.norm(rest) <= bound(1e3, 0.0, w=1.0)
-    assert (
-        interconnection_bound(p, theta, gamma, gamma, sharp=True).rate
-        >= interconnection_bound(p, theta, gamma, gamma).rate - 1e-12
-    )
+    drive = float(np.linalg.eigvalsh(gamma)[-1])
+    bound = proved_bound(p, decay_of(p, theta, "continuous"), {"w": drive})
+    rest = -np.linalg.solve(a, np.eye(3)[0])
+    for t in (0.1, 1.0, 5.0):
+        assert np.linalg.norm(expm(a * t), 2) <= bound(t, 1.0) + 1e-12
+    assert np.linalg.norm(rest) <= bound(1e3, 0.0, w=1.0)
 
 
 def test_a_bound_of_matrices_that_are_not_positive_is_refused() -> None:
-    with pytest.raises(CertificateError, match="Theta has the eigenvalue -1, must lie above 0"):
-        interconnection_bound([[1.0]], [[-1.0]], [[1.0]], [[1.0]])
+    with pytest.raises(CertificateError, match="P has the eigenvalue -1, must lie above 0"):
+        proved_bound([[-1.0]], 1.0, {})

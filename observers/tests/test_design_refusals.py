@@ -11,15 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred_observers import (
-    Generator,
-    Persidskii,
-    design_full_order,
-    design_observer,
-    design_reduced_order,
-    design_regulator,
-    undetectable,
-)
+from pointpred_observers import Generator, Persidskii
+from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
+from pointpred_observers.interconnected.regulator import Regulator
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.thesis import undetectable
 
 
 @given(st.integers(0, 2**31), st.sampled_from(["continuous", "discrete"]))
@@ -51,14 +47,14 @@ def test_a_hidden_mode_is_named_before_any_solver(
     monkeypatch.setitem(sys.modules, "cvxpy", None)
     plant = Persidskii(s0, None, None, "sin", C0=[0.0, 0.0])
     with pytest.raises(InfeasibleError, match=told):
-        design_observer(plant, Generator(s0), np.eye(2))
+        DrivenObserver.design(plant, generator=Generator(s0), Pi=np.eye(2), decay=0.0)
 
 
 def test_infeasible_is_said_where_no_single_gain_serves_all_slopes() -> None:
     # Each corner is detectable alone; f swaps the sign with which the state shows in the output.
     plant = Persidskii([[1.0]], [[0.0]], [[1.0]], "sin", C1=[[1.0]])
     with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
-        design_observer(plant, Generator([[1.0]], [[0.0]]), [[1.0]])
+        DrivenObserver.design(plant, generator=Generator([[1.0]], [[0.0]]), Pi=[[1.0]], decay=0.0)
 
 
 @pytest.mark.parametrize(
@@ -79,7 +75,7 @@ def test_infeasible_is_said_where_no_single_gain_serves_all_slopes() -> None:
 def test_designs_that_cannot_start(plant: Persidskii, pi: Any, told: str) -> None:
     generator = Generator([[-1.0]], np.ones((1, plant.k)), J=np.ones((plant.r, 1)))
     with pytest.raises(ParameterError, match=told):
-        design_observer(plant, generator, pi)
+        DrivenObserver.design(plant, generator=generator, Pi=pi, decay=0.0)
 
 
 @pytest.mark.parametrize("scale", [1e-8, 1.0, 1e8])
@@ -97,20 +93,20 @@ def test_a_wrong_map_is_refused_with_its_residual() -> None:
     generator = Generator([[0.0]], L0=[2.0])
     told = r"Assumption 3\.2\.1: A0 Pi - Pi G C0 Pi - Pi S0 \+ B L0 = 0 fails, its residual is 0\.25"
     with pytest.raises(InfeasibleError, match=told):
-        design_observer(plant, generator, [[1.75]], decay=1.0)
-    assert design_observer(plant, generator, [[2.0]], decay=1.0).gain.shape == (1, 1)
+        DrivenObserver.design(plant, generator=generator, Pi=[[1.75]], decay=1.0)
+    assert DrivenObserver.design(plant, generator=generator, Pi=[[2.0]], decay=1.0).gain.shape == (1, 1)
 
 
 @pytest.mark.parametrize("decay", [-0.1, np.inf, np.nan])
 def test_a_decay_is_finite_and_not_negative(decay: float) -> None:
     plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
     with pytest.raises(ParameterError, match="decay must be finite and not below 0"):
-        design_observer(plant, Generator([[0.0]], L0=[1.0]), [[1.0]], decay=decay)
+        DrivenObserver.design(plant, generator=Generator([[0.0]], L0=[1.0]), Pi=[[1.0]], decay=decay)
 
 
 def test_a_bound_knows_its_disturbances() -> None:
     plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
-    bound = design_observer(plant, Generator([[0.0]], L0=[1.0]), [[1.0]], decay=1.0).bound
+    bound = DrivenObserver.design(plant, generator=Generator([[0.0]], L0=[1.0]), Pi=[[1.0]], decay=1.0).bound
     assert bound(0.0, 1.0, v=1.0) > bound(0.0, 1.0)
     with pytest.raises(ParameterError, match="the disturbances are v, eps, w, received noise"):
         bound(0.0, 1.0, noise=1.0)
@@ -118,7 +114,7 @@ def test_a_bound_knows_its_disturbances() -> None:
 
 def test_slopes_without_bound_are_named_by_every_design() -> None:
     cubic = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -1.0], [0.0, 1.0], "cube", C0=[1.0, 0.0])
-    for design in (design_reduced_order, design_full_order):
+    for design in (ReducedOrderObserver.design, FullOrderObserver.design):
         with pytest.raises(ParameterError, match="needs bounded slopes"):
             design(cubic)
 
@@ -127,7 +123,7 @@ MOTOR = [[0.0, 1.0, 0.0], [0.0, -1.0, 5.0], [0.0, -5.0, -100.0]]
 
 
 @pytest.mark.parametrize(("factor", "decay"), [(1.0, 1e20), (1.0, 1e300), (1e298, 5.0), (1e-300, 5.0)])
-@pytest.mark.parametrize("door", [design_reduced_order, design_full_order, design_regulator])
+@pytest.mark.parametrize("door", [ReducedOrderObserver.design, FullOrderObserver.design, Regulator.design])
 def test_numbers_that_cannot_be_computed_with_are_refused(door: Any, factor: float, decay: float) -> None:
     plant = Persidskii(factor * np.array(MOTOR), None, None, "sin", [0.0, 0.0, 100.0], None, [1.0, 0.0, 0.0])
     # at 1e20 1/s some processors still compute, and prove that no matrices of a size that floats hold will do
@@ -148,12 +144,10 @@ def test_numbers_that_cannot_be_computed_with_are_refused(door: Any, factor: flo
 )
 def test_a_full_order_observer_is_refused_in_the_words_of_its_plant(plant: Persidskii, pair: str) -> None:
     with pytest.raises(InfeasibleError, match=pair):
-        design_full_order(plant)
+        FullOrderObserver.design(plant)
 
 
-def test_a_decay_of_zero_and_an_injection_that_is_no_bool_are_refused() -> None:
+def test_a_decay_of_zero_is_refused() -> None:
     plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], C0=[1.0, 0.0])
     with pytest.raises(ParameterError, match="decay must be finite and above 0, received 0"):
-        design_full_order(plant, decay=0.0)
-    with pytest.raises(ParameterError, match="injection must be True or False, received 'yes'"):
-        design_reduced_order(plant, injection="yes")
+        FullOrderObserver.design(plant, decay=0.0)

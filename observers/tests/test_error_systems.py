@@ -17,21 +17,18 @@ from pointpred_observers import (
     Generator,
     ParameterVaryingSystem,
     Persidskii,
-    UnknownInputObserver,
-    assumption_3_2_2,
     certify_decay,
-    design_full_order,
-    design_observer,
-    design_reduced_order,
-    design_regulator,
-    design_state_feedback,
-    error_system,
     l2_gain,
     trajectory,
 )
-from pointpred_observers.documents.files import decoded, encoded
-from pointpred_observers.error_systems.h_infinity import h_infinity
-from pointpred_observers.error_systems.system import sloped_system
+from pointpred_observers.files import decoded, encoded
+from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
+from pointpred_observers.interconnected.regulator import Regulator
+from pointpred_observers.proofs.error_system import sloped_system
+from pointpred_observers.proofs.l2_gain import h_infinity
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.thesis import assumption_3_2_2, design_state_feedback
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 RESONANCES = [(3.0, 0.1), (0.2, 0.4), (1e3, 0.01)]
 
@@ -70,7 +67,7 @@ def test_an_error_system_of_ones_own_is_checked(changed: dict[str, Any], field: 
     """With "Discrete" read as continuous, e+ = -3 e would be proved to decay."""
     right: dict[str, Any] = {"A": [[[-3.0]]], "B": [[[1.0]]], "C": [[1.0]], "names": [""]}
     right |= {"disturbances": {"d": 1}, "time": "continuous"}
-    assert certify_decay(ErrorSystem(**right)).bound.rate > 0.0
+    assert certify_decay(ErrorSystem(**right)).bound.decay > 0.0
     with pytest.raises(InfeasibleError):
         certify_decay(ErrorSystem(**{**right, "time": "discrete"}))
     with pytest.raises(ParameterError) as refused:
@@ -175,7 +172,7 @@ def test_errors_stay_below_the_bound_for_slopes_that_change(seed: int, discrete:
 
     start = rng.normal(size=2)
     times = np.arange(0, 30) if discrete else np.arange(0.0, 8.0, 0.25)
-    errors = trajectory(field, start, times, integrator="discrete" if discrete else "rk4", step_s=0.01)
+    errors = trajectory(field, start, times, time=time)
     largest = float(np.linalg.norm(pushes))
     for t, e in zip(times, errors, strict=True):
         assert np.linalg.norm(e) <= found.bound(float(t), float(np.linalg.norm(start)), d=largest) + 1e-12
@@ -203,13 +200,13 @@ def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
     )  # fmt: skip
     generator = Generator([[0.0, 1.0], [-1.0, -0.2]], [0.0, -0.5], [[1.0, 0.0]])
     pi_map = np.eye(2)
-    design = design_observer(
+    design = DrivenObserver.design(
         Persidskii(generator.S0, [0.0, -0.5], plant.H, plant.f, C0=plant.C0, domain=3.0),
-        generator,
-        pi_map,
+        generator=generator,
+        Pi=pi_map,
         decay=0.5,
     )
-    system = error_system(design)
+    system = design.error_system()
     g, m = design.generator, design.gain
     rng = np.random.default_rng(2)
     for _ in range(20):
@@ -229,8 +226,8 @@ def test_the_error_system_of_a_reduced_observer_is_what_its_error_does() -> None
     plant = Persidskii(
         [[0.0, 1.0], [0.0, -0.1]], [0.0, -2.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0]
     )
-    design = design_reduced_order(plant, [[0.0, 1.0]], decay=3.0, injection=True)
-    system, observer, rng = error_system(design), design.observer, np.random.default_rng(3)
+    design = ReducedOrderObserver.design(plant, Pi=[[0.0, 1.0]], decay=3.0)
+    system, observer, rng = design.error_system(), design.observer, np.random.default_rng(3)
     now = observer.at(0.0)
     for _ in range(20):
         x, u, v, delta = rng.normal(size=2), rng.normal(size=1), 0.1 * rng.normal(size=1), rng.normal(size=1)
@@ -249,23 +246,24 @@ def test_the_error_system_of_an_unknown_input_observer_has_its_zeros() -> None:
     system = ParameterVaryingSystem(
         lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
     )
-    observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), sigma=1.0)
-    errors = error_system(observer)
+    observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), decay=0.5)
+    errors = observer.error_system()
     assert errors.names == ("k = -3", "k = -1")
     for a, zero in zip(errors.A, (-3.0, -1.0), strict=True):
         assert np.abs(np.linalg.eigvals(a) - zero).min() < 1e-9
-    assert certify_decay(errors, decay=0.5).bound.rate == 0.5
+    assert certify_decay(errors, decay=0.5).bound.decay == 0.5
 
 
 def test_the_error_system_of_an_interlaced_observer() -> None:
     sp = pytest.importorskip("sympy")
-    from pointpred_observers import InterlacedObserver, SymbolicGenerator, SymbolicSystem, interlaced
+    from pointpred_observers import SymbolicGenerator, SymbolicSystem, interlaced
+    from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
 
     x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
     plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -sp.sin(x2) + u), u, outputs=(x2,))
     steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), upper=1, first=w1, degree=2)
-    observer = InterlacedObserver.design(steady, rate=0.3, gain=[[1.0], [0.0]])
-    system = error_system(observer)
+    observer = InterlacedObserver.design(steady, decay=0.3, gain=[[1.0], [0.0]])
+    system = observer.error_system()
     assert system.A[0] == pytest.approx(np.array([[-1.0, 1.0], [-1.0, 0.0]]))
     # From noise to w1^: (s + ...) / (s^2 + s + 1), whose gain at 1 rad/s is 1.
     found = l2_gain(system.seen_as([[1.0, 0.0]]))
@@ -279,8 +277,6 @@ def test_what_cannot_be_is_named() -> None:
         system.disturbed_by("w")
     with pytest.raises(ParameterError, match=r"C has shape \(1, 2\)"):
         system.seen_as([[1.0, 0.0]])
-    with pytest.raises(ParameterError, match=r"needs an ObserverDesign, .*, received str"):
-        error_system("observer")
     with pytest.raises(InfeasibleError, match="eigenvalue 0"):
         l2_gain(linear(np.zeros((1, 1)), np.eye(1), np.eye(1)))
 
@@ -292,23 +288,19 @@ def test_every_proof_with_slopes_of_a_domain_is_local(slopes: tuple[float, float
     f = "saturation" if slopes == (1.0, 1.0) else "tanh"
     plant = Persidskii([[1.0]], [-3.0], [1.0], f, [1.0], None, [1.0], slopes=slopes, domain=domain)
     assert plant.field(0.0, [4.0])[0] > 0.0
-    observer, regulator = design_full_order(plant), design_regulator(plant)
-    system = error_system(observer)
+    observer, regulator = FullOrderObserver.design(plant), Regulator.design(plant)
+    system = observer.error_system()
     local = [
         assumption_3_2_2(plant),
         system,
         certify_decay(system),
-        certify_decay(system, domain=2.0 * domain),
         l2_gain(system.disturbed_by("v")),
-        error_system(design_reduced_order(_with_speed(plant), decay=0.5, injection=True)),
+        ReducedOrderObserver.design(_with_speed(plant), decay=0.5).error_system(),
         design_state_feedback(plant, L1=[[0.0]]).certificate,
-        decoded(encoded(design_regulator(plant, L1=[[0.0]]))).feedback.certificate,
+        decoded(encoded(Regulator.design(plant, L1=[[0.0]]))).feedback.certificate,
         regulator.observer.plant,
     ]
     assert [one.domain for one in local] == [domain] * len(local)
-    assert certify_decay(system, domain=0.1 * domain).domain == 0.1 * domain
-    with pytest.raises(ParameterError, match="domain"):
-        certify_decay(system, domain=float("nan"))
     cancelled = design_state_feedback(plant, L1=[[3.0]]).certificate
     assert cancelled.domain == cancelled.system.domain == np.inf
 

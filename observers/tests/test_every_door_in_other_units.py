@@ -19,11 +19,11 @@ MOVED = {
     "`design_observer`, discrete": lambda found, one: found.gain * one.x[:, None] / one.y,
     "`design_reduced_order`, linear": lambda found, one: rate(found.certificate, one),
     "`design_reduced_order`, `injection=True`": lambda found, one: rate(found.certificate, one),
-    "`design_reduced_order`, discrete": lambda found, one: found.certificate.bound.rate,
+    "`design_reduced_order`, discrete": lambda found, one: found.certificate.bound.decay,
     "`certify_convergence`": lambda found, one: rate(found, one),
     "`certify_tracking`": lambda found, one: shape(found.error.values["P"] / one.x / one.x[:, None]),
     "`certify_interlaced`": lambda found, one: found.L * one.x[:, None] / one.y[0] / one.t,
-    "`UnknownInputObserver.design`": lambda found, one: min(found.certificate.largest_sigma / one.t, 1e9),
+    "`UnknownInputObserver.design`": lambda found, one: min(found.certificate.largest_decay / one.t, 1e9),
 }
 """Of each answer something that does not depend on the units once it is scaled back."""
 
@@ -33,7 +33,7 @@ def shape(p: Any) -> Any:
 
 
 def rate(certificate: Any, one: Problem) -> float:
-    return float(certificate.bound.rate / one.t)
+    return float(certificate.bound.decay / one.t)
 
 
 def problem(seed: int, units: bool) -> Problem:

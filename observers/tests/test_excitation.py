@@ -1,4 +1,4 @@
-"""Measures of excitation against quadrature, brute force, and signals known not to excite."""
+"""Measures of excitation and Theorem 3.3.3 against quadrature, brute force and closed forms."""
 
 from __future__ import annotations
 
@@ -8,12 +8,18 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy import integrate
+from scipy import integrate, linalg
 
-from pointpred.errors import ParameterError
-from pointpred_observers import discrete_excitation, linear_independence, persistent_excitation
+from pointpred.errors import ParameterError, UndecidedError
+from pointpred_observers import persistent_excitation
+from pointpred_observers.regressors.excitation import Excitation
+from pointpred_observers.thesis import linear_independence, regression_margin
 
 SEEDS = st.integers(0, 2**32 - 1)
+
+
+def discrete(signal: Any, window: Any) -> Excitation:
+    return persistent_excitation(None, signal, window, time="discrete")
 
 
 def test_the_level_is_the_least_eigenvalue_of_the_integral() -> None:
@@ -60,7 +66,7 @@ def test_the_discrete_level_is_that_of_brute_force(seed: int, count: int, window
     signal = random.standard_normal((count + window - 1, 2, 3))
     sums = [sum(d.T @ d for d in signal[k : k + window]) for k in range(count)]
     least = np.array([np.linalg.eigvalsh(one)[0] for one in sums])
-    found = discrete_excitation(signal, window)
+    found = discrete(signal, window)
     assert found.level == pytest.approx(max(float(least.min()), 0.0), abs=1e-12)
     assert least[int(found.at)] == pytest.approx(least.min(), abs=1e-12)
     weakest = np.array(found.direction)
@@ -103,15 +109,15 @@ def test_a_window_of_whole_periods_hides_independence() -> None:
 
 
 REFUSED: list[tuple[Any, str]] = [
-    (lambda: persistent_excitation([0.0, 0.0], [[1.0], [1.0]], 0.1), "finite, increasing times"),
-    (lambda: persistent_excitation([0.0], [[1.0]], 0.1), "at least two finite"),
+    (lambda: persistent_excitation([0.0, 0.0], [[1.0], [1.0]], 0.1), "at least two increasing times"),
+    (lambda: persistent_excitation([0.0], [[1.0]], 0.1), "at least two increasing"),
     (lambda: persistent_excitation([0.0, 1.0], [[1.0], [np.nan]], 0.1), "must be finite in every sample"),
     (lambda: persistent_excitation([0.0, 1.0], [[1.0]], 0.1), r"needs shape \(2, n\).*received \(1, 1, 1\)"),
-    (lambda: persistent_excitation([0.0, 1.0], [[1.0], [1.0]], 1.5), r"window_s must lie in \(0, 1\].*1.5"),
-    (lambda: persistent_excitation([0.0, 1.0], [[1.0], [1.0]], 0.0), "window_s must lie in .*received 0"),
-    (lambda: discrete_excitation([[1.0]], 2), r"window must be a whole number in \[1, 1\], received 2"),
-    (lambda: discrete_excitation([[1.0]], True), "window must be a whole number"),
-    (lambda: discrete_excitation(np.zeros((0, 2)), 1), "needs shape"),
+    (lambda: persistent_excitation([0.0, 1.0], [[1.0], [1.0]], 1.5), r"window must lie in \(0, 1\].*1.5"),
+    (lambda: persistent_excitation([0.0, 1.0], [[1.0], [1.0]], 0.0), "window must lie in .*received 0"),
+    (lambda: discrete([[1.0]], 2), r"window must be a whole number in \[1, 1\], received 2"),
+    (lambda: discrete([[1.0]], True), "window must be a whole number"),
+    (lambda: discrete(np.zeros((0, 2)), 1), "needs shape"),
     (
         lambda: linear_independence([0.0, 1.0, 2.0], [[0.0], [0.0], [1.0]], [[1.0], [1.0], [1.0]], 1.0),
         "both signals must be excited over every window of 1 s",
@@ -127,3 +133,61 @@ REFUSED: list[tuple[Any, str]] = [
 def test_what_is_wrong_is_said(call: Any, message: str) -> None:
     with pytest.raises(ParameterError, match=message):
         call()
+
+
+def test_p_solves_its_equation() -> None:
+    """J that rotates at 1 rad/s: in its frame P is constant, (E - W) P + P (E + W) = I."""
+    t = np.linspace(0.0, 2.0 * np.pi, 1001)
+    j = np.stack([np.cos(t), np.sin(t)], axis=1)
+    found = regression_margin(t, j, np.full(1001, 0.2), 1.0)
+    turn, along = np.array([[0.0, -1.0], [1.0, 0.0]]), np.diag([1.0, 0.0])
+    p = linalg.solve_continuous_lyapunov(along - turn, np.eye(2))
+    assert np.linalg.eigvalsh(found.P) == pytest.approx(np.linalg.eigvalsh(p), rel=1e-3)
+    worst = np.linalg.eigvalsh(0.5 * (p @ along + along @ p))[-1]
+    assert found.margin == pytest.approx(0.5 - 0.2 * worst, abs=1e-3)
+    assert regression_margin(t, j, np.full(1001, 0.2), 1.0, flattest=1.0).margin == pytest.approx(0.5)
+
+
+def test_the_lyapunov_function_falls_as_the_margin_says() -> None:
+    """Where the margin is positive, e'Pe falls along the error's equation by twice it; here D1 is 0.2."""
+    t = np.linspace(0.0, 2.0 * np.pi, 1001)
+    j = np.stack([np.cos(t), np.sin(t)], axis=1)
+    margin = regression_margin(t, j, np.full(1001, 0.2), 1.0).margin
+    turn = np.array([[0.0, -1.0], [1.0, 0.0]])
+    still = linalg.solve_continuous_lyapunov(np.diag([1.0, 0.0]) - turn, np.eye(2))
+    random = np.random.default_rng(1)
+    for _ in range(200):
+        at, e, x = random.uniform(0.0, 6.0), random.standard_normal(2), 2.0 * random.standard_normal(2)
+        frame = linalg.expm(turn * at)
+        row, p = frame[:, 0], frame @ still @ frame.T
+        fall = 0.8 * row @ e + 0.2 * (np.arctan(row @ x) - np.arctan(row @ (x - e)))
+        slope = e @ (turn @ p - p @ turn) @ e - 2.0 * fall * (row @ p @ e)
+        assert slope <= -2.0 * margin * (e @ e) + 1e-9
+
+
+def test_without_excitation_p_does_not_settle() -> None:
+    t = np.linspace(0.0, 1.0, 50)
+    with pytest.raises(UndecidedError, match="no excitation"):
+        regression_margin(t, np.ones((50, 2)), np.full(50, 0.5), 1.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "field"),
+    [
+        ({"weight": np.full(50, 1.5)}, "weight"),
+        ({"weight": np.full(49, 0.5)}, "weight"),
+        ({"weight": ["much"] * 50}, "weight"),
+        ({"gain": -1.0}, "gain"),
+        ({"gain": "high"}, "gain"),
+        ({"flattest": 1.5}, "flattest"),
+        ({"flattest": "flat"}, "flattest"),
+        ({"t": ["early", "late"]}, "t"),
+        ({"regressor": [["a"]] * 50}, "signal"),
+        ({"regressor": [[1.0], [1.0, 2.0]]}, "signal"),
+    ],
+)
+def test_records_that_are_no_numbers_are_refused(given: dict[str, Any], field: str) -> None:
+    record = {"t": np.linspace(0.0, 1.0, 50), "regressor": np.ones((50, 2)), "weight": np.full(50, 0.5)}
+    with pytest.raises(ParameterError) as refused:
+        regression_margin(**{**record, "gain": 1.0, **given})
+    assert refused.value.field == field

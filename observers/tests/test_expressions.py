@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pointpred.errors import ParameterError
-from pointpred_observers.documents.expressions import parsed, text_of
+from pointpred_observers.plants.expressions import parsed, text_of
 
 sp = pytest.importorskip("sympy")
 

@@ -13,20 +13,32 @@ import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from observers.tests.printed import check_map
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers.bounds import least_ratio
-from pointpred_observers.documents.files import decoded, encoded
-from pointpred_observers.inequalities.definite import least
+from pointpred_observers.files import decoded, encoded
+from pointpred_observers.proofs.bounds import least_ratio
+from pointpred_observers.proofs.definite import least
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.reversed_certificate import certified_convergence
+from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
+from pointpred_observers.thesis import (
+    certify_convergence,
+    certify_tracking,
+    closed_loop,
+    regulator_equations,
+    theorem_3_2_1,
+    theorem_3_2_2,
+    theorem_3_2_3,
+)
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 
 def pendulum(push: float = 1.0) -> o.Persidskii:
     return o.Persidskii([[0.0, 1.0], [0.0, -0.3]], [0.0, -2.0], [1.0, 0.0], "sin", [0.0, push], C0=[1.0, 0.0])
 
 
-def wrong(push: float, share: float, **more: Any) -> tuple[o.ReducedOrderDesign, o.InvariantObserver]:
+def wrong(push: float, share: float, **more: Any) -> tuple[ReducedOrderObserver, InvariantObserver]:
     """A design, and its observer with ``share`` of the right B."""
-    design = o.design_reduced_order(pendulum(push), decay=1.0, injection=True)
-    b, pi = design.observer.at(0.0).B, design.observer.given("Pi")
+    design = o.design(pendulum(push), "reduced", decay=1.0)
+    b, pi = design.observer.at(0.0).B, design.observer.document().Pi
     return design, o.invariant_observer(
         pendulum(push), pi, design.Upsilon, B=share * b, injection=True, **more
     )
@@ -38,7 +50,7 @@ def test_a_small_matrix_must_be_symmetric_to_the_last_bit(name: str) -> None:
     system = o.CornerSystem(
         o.Box({"k": (1.0, 3.0)}), A=[a, a], F=[[0.0], [0.0], [1.0]], C=[[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
     )
-    file = json.loads(encoded(o.UnknownInputObserver.design(system, system.box, sigma=1.0)))
+    file = json.loads(encoded(UnknownInputObserver.design(system, system.box, decay=0.5)))
     gain = [[-4.0, 0.0], [-1.0, 0.0], [0.0, 5.0]]  # N has the eigenvalue 3
     skew = np.diag([1e-12] * 3)
     skew[0, 1] = -5e-9
@@ -58,7 +70,7 @@ def test_designs_of_our_own_are_symmetric_to_the_last_bit() -> None:
             C=[[1.0, 0.3]],
             time=time,
         )
-        proof = o.UnknownInputObserver.design(system, system.box, sigma=0.3).certificate
+        proof = UnknownInputObserver.design(system, system.box, decay=0.15).certificate
         assert proof.force is not None
         assert np.array_equal(proof.p, proof.p.T)
         assert np.array_equal(proof.force, proof.force.T)
@@ -70,14 +82,14 @@ def test_gains_that_overflow_are_refused_in_words(entry: float, time: str) -> No
     shift = np.eye(2) if time == "continuous" else np.zeros((2, 2))
     corners = [np.array([[0.5, 0.1], [last, 0.2]]) - shift for last in (-0.1, -0.3)]
     system = o.CornerSystem(o.Box({"k": (0.1, 0.3)}), A=corners, F=[[1.0], [0.0]], C=[[1.0, 0.0]], time=time)
-    design = o.UnknownInputObserver.design(system, system.box, sigma=0.3)
-    gains, proof = design.gains.matrices.copy(), design.certificate
+    design = UnknownInputObserver.design(system, system.box, decay=0.15)
+    gains, proof = design.gains.copy(), design.certificate
     gains[1][0][0] = entry
     assert proof.force is not None
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         with pytest.raises((CertificateError, ParameterError), match=r"too large|\(27c\) has the eigenvalue"):
-            o.UnknownInputObserver.certified(system, system.box, gains, proof.p, proof.force, proof.sigma)
+            UnknownInputObserver.certified(system, system.box, gains, proof.p, proof.force, proof.decay)
 
 
 def test_numbers_that_overflowed_are_no_zero_division() -> None:
@@ -100,12 +112,12 @@ def test_no_tolerance_certifies_an_observer_that_breaks_its_equalities(push: flo
     """Also not where a large entry of B, in small units, would make any residual a small share of it."""
     design, observer = wrong(push, 2.0, tolerance=0.99)
     for claim in (
-        lambda: o.certify_convergence(observer, decay=0.9),
+        lambda: certify_convergence(observer, decay=0.9),
         lambda: certified_convergence(observer, design.certificate.values),
-        lambda: o.error_system(observer),
+        lambda: observer.error_system(),
         lambda: o.simulate(
             pendulum(push),
-            o.ReducedOrderDesign(observer, design.Upsilon, design.certificate),
+            ReducedOrderObserver(observer, design.Upsilon, design.certificate),
             times=np.arange(0.0, 0.1, 0.01),
         ),
     ):
@@ -117,10 +129,10 @@ def test_no_tolerance_certifies_an_observer_that_breaks_its_equalities(push: flo
 
 def test_slow_rates_do_not_hide_an_equality_that_fails() -> None:
     plant = o.Persidskii(np.array([[0.0, 1.0], [0.0, -0.3]]) * 1e-12, None, None, "sin", C0=[1.0, 0.0])
-    design = o.design_reduced_order(plant, decay=1e-12)
-    b, pi = design.observer.at(0.0).B, design.observer.given("Pi")
+    design = o.design(plant, "reduced", decay=1e-12)
+    b, pi = design.observer.at(0.0).B, design.observer.document().Pi
     with pytest.raises(CertificateError, match=r"S0 Z .* = 0 fails"):
-        o.certify_convergence(o.invariant_observer(plant, pi, design.Upsilon, B=2.0 * b), decay=0.9e-12)
+        certify_convergence(o.invariant_observer(plant, pi, design.Upsilon, B=2.0 * b), decay=0.9e-12)
 
 
 def test_a_file_with_a_certificate_and_a_loose_tolerance_is_refused() -> None:
@@ -130,12 +142,12 @@ def test_a_file_with_a_certificate_and_a_loose_tolerance_is_refused() -> None:
     with pytest.raises(CertificateError, match=r"tolerance is 0\.99, but a certificate needs"):
         decoded(json.dumps(file))
     without = {key: one for key, one in file.items() if key not in ("certificate", "certificate_gap", "gap")}
-    assert isinstance(decoded(json.dumps(without)), o.InvariantObserver)
+    assert isinstance(decoded(json.dumps({**without, "kind": "invariant observer"})), InvariantObserver)
 
 
 def test_a_loose_tolerance_that_was_not_needed_does_not_spoil_the_file() -> None:
     design, observer = wrong(1.0, 1.0, tolerance=1e-6)
-    kept = o.ReducedOrderDesign(observer, design.Upsilon, o.certify_convergence(observer, decay=0.9))
+    kept = ReducedOrderObserver(observer, design.Upsilon, certify_convergence(observer, decay=0.9))
     again = decoded(encoded(kept))
     assert again.observer.tolerance == 1e-9
     assert o.audit(again) == o.audit(kept)
@@ -145,7 +157,7 @@ def test_in_small_units_a_wrong_j_is_not_near_h_pi() -> None:
     plant = o.Persidskii([[-2.0]], [1.0], [1e-7], "sin", C0=[1.0])
     generator = o.Generator([[-2.0]], [1.0], J=[[3e-7]])
     with pytest.raises(ParameterError, match="J must be H Pi"):
-        o.theorem_3_2_1(plant, generator, [[1.0]])
+        theorem_3_2_1(plant, generator, [[1.0]])
 
 
 @pytest.mark.parametrize("unit", [1e-10, 1.0, 1e10])
@@ -153,7 +165,7 @@ def test_an_upsilon_that_meets_c1_proves_nothing_in_any_unit(unit: float) -> Non
     """w = Pi x + Upsilon y contains f here; small units of w once hid it below an absolute tolerance."""
     plant = o.Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, 0.1], [-3.0, 1.0], "tanh", C0=[1.0, 0.0], C1=[-0.1])
     with pytest.raises((CertificateError, InfeasibleError), match="Upsilon C1 = 0"):
-        o.certify_convergence(o.invariant_observer(plant, [[0.0, unit]], [[-3.0 * unit]]))
+        certify_convergence(o.invariant_observer(plant, [[0.0, unit]], [[-3.0 * unit]]))
 
 
 @pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
@@ -201,16 +213,20 @@ def regulator(f: Any) -> o.Generator:
 @pytest.mark.parametrize(
     "prove",
     [
-        lambda: o.design_observer(PLANT, OTHER, [[1.0]]),
-        lambda: o.theorem_3_2_1(PLANT, OTHER, [[1.0]]),
+        lambda: o.design(PLANT, "driven", generator=OTHER, Pi=[[1.0]], decay=0.0),
+        lambda: theorem_3_2_1(PLANT, OTHER, [[1.0]]),
         lambda: check_map(PLANT, OTHER, [[1.0]]),
-        lambda: o.certify_tracking(FOLLOWED, regulator("cube"), [[1.0]]),
-        lambda: o.theorem_3_2_2(FOLLOWED, regulator("cube"), [[1.0]]),
-        lambda: o.theorem_3_2_3(FOLLOWED, regulator("cube"), [[1.0]]),
-        lambda: o.closed_loop(FOLLOWED, regulator("cube"), 0.0, [1.0, 1.0]),
-        lambda: o.regulator_equations(PLANT, OTHER),
-        lambda: o.design_observer(
-            o.Persidskii([[-1.0]], None, None, "sin", [1.0], None, [1.0]), OTHER, [[1.0]]
+        lambda: certify_tracking(FOLLOWED, regulator("cube"), [[1.0]]),
+        lambda: theorem_3_2_2(FOLLOWED, regulator("cube"), [[1.0]]),
+        lambda: theorem_3_2_3(FOLLOWED, regulator("cube"), [[1.0]]),
+        lambda: closed_loop(FOLLOWED, regulator("cube"), 0.0, [1.0, 1.0]),
+        lambda: regulator_equations(PLANT, OTHER),
+        lambda: o.design(
+            o.Persidskii([[-1.0]], None, None, "sin", [1.0], None, [1.0]),
+            "driven",
+            generator=OTHER,
+            Pi=[[1.0]],
+            decay=0.0,
         ),
     ],
 )
@@ -221,14 +237,14 @@ def test_no_proof_for_one_f_speaks_of_another(prove: Any) -> None:
 
 
 def test_an_f_of_its_own_may_be_that_of_the_plant() -> None:
-    certificate = o.certify_tracking(FOLLOWED, regulator("tanh"), [[1.0]])
+    certificate = certify_tracking(FOLLOWED, regulator("tanh"), [[1.0]])
     assert min(certificate.margins.values()) > 0.0
 
 
 @pytest.mark.parametrize(("name", "value"), [("f", "cube"), ("J", [[0.5, 0.0]])])
 def test_a_regulator_of_a_file_has_the_f_and_the_j_of_its_proof(name: str, value: Any) -> None:
     mass = o.Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0])
-    file = json.loads(encoded(o.design_regulator(mass)))
+    file = json.loads(encoded(o.design(mass, "regulator")))
     file["regulator"][name] = value
     with pytest.raises(ParameterError, match=r"an f of its own|J must be H Pi") as refused:
         decoded(json.dumps(file))
@@ -239,10 +255,10 @@ def test_j_is_h_pi_also_where_f_cancels() -> None:
     """A1 = 0 and S1 = B L1: the relaxed equalities hold for any J, the proof speaks of J = H Pi."""
     generator = o.Generator([[-2.0]], [1.0], [0.5], None, [-1.0], [1.0])
     with pytest.raises(ParameterError, match="J must be H Pi"):
-        o.design_observer(PLANT, generator, [[1.0]])
+        o.design(PLANT, "driven", generator=generator, Pi=[[1.0]], decay=0.0)
 
 
 def test_a_reference_is_linear() -> None:
     reference = o.Generator([[0.0]], [1.0], [1.0])
     with pytest.raises(ParameterError, match="a reference is linear"):
-        o.design_regulator(PLANT, reference=reference, following=([[1.0]], [[1.0]]))
+        o.design(PLANT, "regulator", reference=reference, following=([[1.0]], [[1.0]]))

@@ -6,34 +6,35 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pointpred_observers.inequalities import matrix_inequalities
 
-from pointpred_observers import (
-    UnknownInputObserver,
-    certify_convergence,
-    certify_interlaced,
-    design_observer,
-    design_reduced_order,
-    invariant_observer,
-    steady_state_map,
-)
+from pointpred_observers import invariant_observer
 from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.examples import UNMEASURED, academic, chua_circuits, two_masses
-from pointpred_observers.inequalities import matrix_inequalities
-from pointpred_observers.inequalities.affine import Affine
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.inequalities.solver import Answer, run
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.proofs.affine import Affine
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.solver import Answer, run
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.thesis import certify_convergence
+from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 CALM = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (0.0, 0.0), "dw": (0.0, 0.0)}
 DOORS: dict[str, Any] = {
-    "observer": lambda: design_observer(*academic(), steady_state_map(*academic()).Pi).gap,
-    "observer with a sector": lambda: design_observer(*chua_circuits(0.3), np.eye(3)).gap,
+    "observer": lambda: DrivenObserver.design(academic()[0], generator=academic()[1], decay=0.0).gap,
+    "observer with a sector": lambda: (
+        DrivenObserver.design(
+            chua_circuits(0.3)[0], generator=chua_circuits(0.3)[1], Pi=np.eye(3), decay=0.0
+        ).gap
+    ),
     "convergence": lambda: (
         certify_convergence(invariant_observer(two_masses(1.0), UNMEASURED, [[-1, 0], [0, 0]]), decay=0.2).gap
     ),
-    "reduced order": lambda: design_reduced_order(two_masses(), UNMEASURED, decay=0.5, injection=True).gap,
-    "interlaced": lambda: certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 1.0]], rate=0.25).gap,
+    "reduced order": lambda: ReducedOrderObserver.design(two_masses(), Pi=UNMEASURED, decay=0.5).gap,
+    "interlaced": lambda: certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 1.0]], decay=0.25).gap,
     "unknown input": lambda: (
-        UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.05), **CALM), 0.02).certificate.gap
+        UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.05), **CALM), 0.01).certificate.gap
     ),
 }
 

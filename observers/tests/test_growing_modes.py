@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from evidence.observers.designs import outcome
 from pointpred.errors import InfeasibleError, PointpredError
-from pointpred_observers import Generator, Persidskii, SectorBounds, certify_tracking, sector_bounds
-from pointpred_observers.interconnected.growing_mode import growing_mode, quadrant
-from pointpred_observers.interconnected.regulated import Followed, Regulated
+from pointpred_observers import Generator, Persidskii
+from pointpred_observers.interconnected.regulated import Followed, Regulated, growing_mode, quadrant
+from pointpred_observers.thesis import SectorBounds, certify_tracking, sector_bounds
 
 SIZES = (3, 2)
 """States and components of f."""

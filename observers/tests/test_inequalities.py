@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from pointpred_observers.inequalities import matrix_inequalities
 from scipy.linalg import solve_continuous_lyapunov
 
 from observers.tests.solvers import solved_by
@@ -17,13 +18,10 @@ from pointpred.errors import (
     ParameterError,
     UndecidedError,
 )
-from pointpred_observers.inequalities import matrix_inequalities
-from pointpred_observers.inequalities.affine import Affine, scaled
-from pointpred_observers.inequalities.audit import Inequalities
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.inequalities.proof import largest_margin, reach
-from pointpred_observers.inequalities.rescaling import rescaled
-from pointpred_observers.inequalities.solver import CAP, Answer, run
+from pointpred_observers.proofs.affine import Affine, largest_margin, reach, scaled
+from pointpred_observers.proofs.audit import Inequalities
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.solver import CAP, Answer, rescaled, run
 
 
 def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:

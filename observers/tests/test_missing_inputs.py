@@ -9,17 +9,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import EventError, ParameterError
-from pointpred_observers import (
-    Generator,
-    MissingInputs,
-    Persidskii,
-    PersidskiiObserver,
-    design_observer,
-    invariant_observer,
-    invariant_stage,
-    observer_stage,
-    regulator_stage,
-)
+from pointpred_observers import Generator, Persidskii, invariant_observer
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.thesis import regulator_stage
 
 NAN = np.nan
 
@@ -40,7 +34,9 @@ def driven() -> tuple[Persidskii, Generator, Any]:
 
 def test_without_an_output_the_generator_runs_alone() -> None:
     plant, generator, pi = driven()
-    stage = observer_stage(design_observer(plant, generator, pi, decay=0.5), start=[1.0, 0.0], step_s=1e-3)
+    stage = DrivenObserver.design(plant, generator=generator, Pi=pi, decay=0.5).stage(
+        start=[1.0, 0.0], step_s=1e-3
+    )
     stage.update(0.0, 1.3)
     before = stage.update(0.1, 1.2)[:2]
     found = [stage.update(0.1 + h, None)[:2] for h in (0.2, 0.7, 1.6)]
@@ -55,7 +51,7 @@ def test_without_an_output_the_generator_runs_alone() -> None:
 
 
 def test_in_discrete_time_too() -> None:
-    stage = PersidskiiObserver(
+    stage = PersidskiiStage(
         [[0.5]], [[1.0]], [[1.0]], [[0.25]], "tanh", start=[1.0], time="discrete",
         missing=MissingInputs.expected([[2.0]], [[4.0]], 1, "discrete"),
     )  # fmt: skip
@@ -81,8 +77,8 @@ def test_a_reduced_order_observer_follows_the_plant_through_a_gap(injection: boo
     pi, upsilon = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [[-3.0], [1.0]]
     if not injection:
         plant = Persidskii(plant.A0, None, None, "sin", plant.B, None, plant.C0)
-    stage = invariant_stage(
-        invariant_observer(plant, pi, upsilon, injection=injection), start=[0.4, -0.3, 0.2], step_s=1e-3
+    stage = invariant_observer(plant, pi, upsilon, injection=injection).stage(
+        start=[0.4, -0.3, 0.2], step_s=1e-3
     )
 
     def u(t: float) -> float:
@@ -100,7 +96,7 @@ def test_a_reduced_order_observer_follows_the_plant_through_a_gap(injection: boo
 def test_the_first_output_may_be_missing() -> None:
     plant = plant_with_input()
     observer = invariant_observer(plant, np.eye(3)[1:], [[-3.0], [1.0]], injection=True)
-    stage = invariant_stage(observer, start=[0.4, -0.3, 0.2], step_s=1e-3)
+    stage = observer.stage(start=[0.4, -0.3, 0.2], step_s=1e-3)
     assert stage.update(5.0, None) == pytest.approx([0.4, -0.3, 0.2])
     wanted = exactly(lambda t, x: plant.field(t, x, [0.0]), [0.4, -0.3, 0.2], (5.0, 5.8))
     assert stage.update(5.8, [NAN, 0.0]) == pytest.approx(wanted, abs=1e-9)
@@ -111,7 +107,7 @@ def test_one_of_several_inputs_is_replaced_and_the_others_count() -> None:
     v0 = np.array([[0.5, 1.0], [0.0, 0.0], [0.2, -0.4]])
     v2 = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.3, 0.1, -0.2]])
     missing = MissingInputs((True, False, False), v0, np.zeros((3, 0)), v2, np.zeros(3))
-    stage = PersidskiiObserver(n, None, None, k, "sin", start=[1.0, 2.0], missing=missing, step_s=1e-3)
+    stage = PersidskiiStage(n, None, None, k, "sin", start=[1.0, 2.0], missing=missing, step_s=1e-3)
     stage.update(0.0, [1.0, -1.0, 2.0])
     found = stage.update(0.5, [NAN, 3.0, NAN])
 
@@ -124,7 +120,7 @@ def test_one_of_several_inputs_is_replaced_and_the_others_count() -> None:
 
 
 def test_an_input_that_nothing_predicts_keeps_its_last_value() -> None:
-    stage = PersidskiiObserver([[-1.0]], None, None, [[1.0]], "sin", step_s=1e-3)
+    stage = PersidskiiStage([[-1.0]], None, None, [[1.0]], "sin", step_s=1e-3)
     assert stage.update(0.0, None)[0] == 0.0
     assert stage.update(0.5, None)[0] == 0.0  # zero before the first
     assert stage.update(0.6, 2.0)[0] == 0.0
@@ -138,7 +134,7 @@ def test_an_input_that_nothing_predicts_keeps_its_last_value() -> None:
 
 
 def test_samples_of_two_sensors_at_one_time_join() -> None:
-    apart = PersidskiiObserver(-np.eye(2), None, None, np.eye(2), "sin")
+    apart = PersidskiiStage(-np.eye(2), None, None, np.eye(2), "sin")
     joined = apart.fresh()
     for i in range(5):
         apart.update(0.1 * i, [1.0 + i, NAN])
@@ -149,7 +145,7 @@ def test_samples_of_two_sensors_at_one_time_join() -> None:
 
 
 def test_only_nan_is_missing() -> None:
-    stage = PersidskiiObserver([[-1.0]], None, None, [[1.0]], "sin")
+    stage = PersidskiiStage([[-1.0]], None, None, [[1.0]], "sin")
     with pytest.raises(EventError, match="NaN only for a missing input"):
         stage.update(0.0, np.inf)
     with pytest.raises(EventError, match="must be finite"):
@@ -166,4 +162,4 @@ def test_only_nan_is_missing() -> None:
 )
 def test_what_cannot_replace_an_input_is_named(missing: MissingInputs, told: str) -> None:
     with pytest.raises(ParameterError, match=told):
-        PersidskiiObserver([[-1.0]], [[1.0]], [[1.0]], [[1.0]], "sin", R=[[1.0]], missing=missing)
+        PersidskiiStage([[-1.0]], [[1.0]], [[1.0]], [[1.0]], "sin", R=[[1.0]], missing=missing)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 FOLDER = Path(__file__).parents[1] / "docs"
-PAGES = sorted(FOLDER.glob("*.md"))
+PAGES = [FOLDER.parent / "README.md", *sorted(FOLDER.glob("*.md"))]
 FIGURES = {
     "example-1.md": ["3.3"],
     "example-2.md": ["3.4", "3.5"],
@@ -44,5 +44,5 @@ def test_a_page_shows_its_figures_and_their_command(name: str) -> None:
 
 
 def test_every_page_can_be_reached_from_the_index() -> None:
-    index = (FOLDER / "README.md").read_text(encoding="utf-8")
-    assert {page.name for page in PAGES if f"]({page.name})" not in index} == {"README.md"}
+    index = (FOLDER.parent / "README.md").read_text(encoding="utf-8")
+    assert {page.name for page in PAGES if f"](docs/{page.name})" not in index} == {"README.md"}

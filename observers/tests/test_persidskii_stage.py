@@ -15,13 +15,14 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
-from pointpred_observers import PersidskiiObserver, trajectory
-from pointpred_observers.nonlinearity import KNOWN, nonlinearity
+from pointpred_observers import trajectory
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.plants.nonlinearity import KNOWN, nonlinearity
 
 NAMES = ["sin", "tanh", "atan", "saturation", "cube", "identity"]
 
 
-def random_stage(seed: int, **given: Any) -> tuple[PersidskiiObserver, dict[str, Any]]:
+def random_stage(seed: int, **given: Any) -> tuple[PersidskiiStage, dict[str, Any]]:
     rng = np.random.default_rng(seed)
     q, k, inputs = int(rng.integers(1, 5)), int(rng.integers(0, 3)), int(rng.integers(1, 3))
     parts: dict[str, Any] = {
@@ -33,7 +34,7 @@ def random_stage(seed: int, **given: Any) -> tuple[PersidskiiObserver, dict[str,
         "f": [NAMES[i] for i in rng.integers(0, 4, k)],
         "start": rng.normal(size=q),
     }
-    return PersidskiiObserver(**parts, **given), parts
+    return PersidskiiStage(**parts, **given), parts
 
 
 def irregular(seed: int, inputs: int, rows: int = 12) -> Any:
@@ -55,7 +56,7 @@ def test_the_stage_follows_its_differential_equation(seed: int) -> None:
     found = np.array([stage.update(row[0], row[1:]) for row in rows])
     w = [parts["start"]]
     for pair in zip(rows[:-1, 0], rows[1:, 0], strict=True):  # the inputs have a kink at each sample
-        w.append(trajectory(field, w[-1], pair, integrator="scipy", step_s=1.0, tolerance=1e-10)[-1])
+        w.append(trajectory(field, w[-1], pair, step_s=1.0, tolerance=1e-10)[-1])
     assert np.allclose(found, [one + parts["R1"] @ f(parts["J"] @ one) for one in w], atol=1e-6)
 
 
@@ -74,8 +75,8 @@ def test_a_discrete_stage_is_the_recursion() -> None:
 def test_a_discrete_stage_refuses_an_index_that_is_not_the_next(f: Any) -> None:
     """A sample is one step: an index that was skipped would leave the estimate behind the plant."""
 
-    def stage() -> PersidskiiObserver:
-        return PersidskiiObserver([[0.5]], [[1.0]], [[1.0]], [[1.0]], f, start=[1.0], time="discrete")
+    def stage() -> PersidskiiStage:
+        return PersidskiiStage([[0.5]], [[1.0]], [[1.0]], [[1.0]], f, start=[1.0], time="discrete")
 
     live, rows = stage(), np.column_stack([[0.0, 1.0, 1.0, 2.0], [0.3, 0.1, 0.2, np.nan]])
     found = np.array([live.update(row[0], row[1:]) for row in rows])
@@ -103,7 +104,7 @@ def test_the_integration_is_of_fourth_order() -> None:
     n = np.array([[0.0, 1.0], [-4.0, -0.4]])
 
     def error(step_s: float) -> float:
-        stage = PersidskiiObserver(n, None, None, None, "sin", start=[1.0, 0.0], step_s=step_s, gap_s=10.0)
+        stage = PersidskiiStage(n, None, None, None, "sin", start=[1.0, 0.0], step_s=step_s, gap_s=10.0)
         stage.update(0.0)
         return float(np.abs(stage.update(2.0) - expm(2.0 * n) @ [1.0, 0.0]).max())
 
@@ -126,9 +127,9 @@ def test_named_nonlinearities_are_what_their_names_say(name: str) -> None:
 
 PLAIN = """
 import numpy as np
-from pointpred_observers import PersidskiiObserver
+from pointpred_observers.thesis import PersidskiiStage
 for time in ("continuous", "discrete"):
-    stage = PersidskiiObserver(
+    stage = PersidskiiStage(
         [[-1.0, 2.0], [-2.0, -1.0]], np.ones((2, 5)), np.arange(10.0).reshape(5, 2) / 10.0, [1.0, 0.0],
         ["sin", "tanh", "atan", "saturation", "identity"], R1=np.ones((2, 5)), start=[0.1, -0.2], time=time,
     )
@@ -194,7 +195,7 @@ def test_a_refused_sample_changes_nothing() -> None:
 
 
 def test_a_state_that_leaves_every_bound_is_said() -> None:
-    stage = PersidskiiObserver([[0.0]], [[1.0]], [[1.0]], [[1.0]], "cube", gap_s=100.0)
+    stage = PersidskiiStage([[0.0]], [[1.0]], [[1.0]], [[1.0]], "cube", gap_s=100.0)
     stage.update(0.0, 1.0)
     before = stage.remembered()
     with (
@@ -206,7 +207,7 @@ def test_a_state_that_leaves_every_bound_is_said() -> None:
 
 
 def test_a_long_gap_begins_anew_and_equal_times_replace() -> None:
-    lag = PersidskiiObserver([[-1.0]], None, None, [[1.0]], "sin", start=[3.0], gap_s=0.5)
+    lag = PersidskiiStage([[-1.0]], None, None, [[1.0]], "sin", start=[3.0], gap_s=0.5)
     lag.update(0.0, 0.0)
     assert lag.update(0.4, 0.0)[0] == pytest.approx(3.0 * np.exp(-0.4))
     assert lag.update(1.0, 0.0)[0] == 3.0
@@ -230,5 +231,5 @@ def test_a_long_gap_begins_anew_and_equal_times_replace() -> None:
 def test_stages_that_cannot_be(wrong: dict[str, Any]) -> None:
     right: dict[str, Any] = {"N": [[-1.0]], "L": [[1.0]], "J": [[1.0]], "K": [[1.0]], "f": "sin"}
     with pytest.raises(ParameterError) as refused:
-        PersidskiiObserver(**{**right, **wrong})
+        PersidskiiStage(**{**right, **wrong})
     assert refused.value.field == list(wrong)[-1]

@@ -12,18 +12,12 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from pointpred.errors import DivergenceError, EventError, ParameterError
-from pointpred_observers import (
-    Generator,
-    MissingInputs,
-    Persidskii,
-    PersidskiiObserver,
-    design_observer,
-    design_reduced_order,
-    invariant_observer,
-    invariant_stage,
-    observer_stage,
-)
-from pointpred_observers.nonlinearity import nonlinearity
+from pointpred_observers import Generator, Persidskii, invariant_observer
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.plants.nonlinearity import nonlinearity
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
 
 
 def exactly(field: Any, start: Any, span: tuple[float, float], at: Any = None) -> Any:
@@ -64,8 +58,8 @@ def test_the_plain_law_is_the_compiled_one(seed: int, time: str) -> None:
     names = ["sin", "tanh", "atan", "saturation"]
     f = nonlinearity([names[i] for i in rng.integers(0, 4, parts["L"].shape[1])], parts["L"].shape[1])
     more: dict[str, Any] = {"missing": random_missing(rng, parts), "time": time, "step_s": 0.02}
-    named = PersidskiiObserver(f=f, **parts, **more)
-    plain = PersidskiiObserver(f=lambda s: f(s), **parts, **more)
+    named = PersidskiiStage(f=f, **parts, **more)
+    plain = PersidskiiStage(f=lambda s: f(s), **parts, **more)
     rows = rng.normal(size=(25, 1 + named.inputs))
     steps = [0.0, 0.01, 0.3, 1.5] if time == "continuous" else [0.0, 1.0, 1.0, 1.0]
     rows[:, 0] = np.cumsum(rng.choice(steps, 25, p=[0.1, 0.4, 0.4, 0.1]))
@@ -83,7 +77,7 @@ def test_varying_matrices_follow_their_differential_equation() -> None:
     def k(t: float) -> Any:
         return np.array([[np.cos(t)], [1.0]])
 
-    stage = PersidskiiObserver(
+    stage = PersidskiiStage(
         n, [[0.0], [1.0]], lambda t: [[1.0, t]], k, "sin", R0=lambda t: [[t, 1.0]], start=[1.0, -1.0]
     )
     times = np.array([0.0, 0.1, 0.15, 0.6, 1.4])
@@ -103,7 +97,7 @@ def test_varying_matrices_follow_their_differential_equation() -> None:
 
 def test_an_f_of_several_arguments() -> None:
     """Predators and prey: the product of two states, which no name has."""
-    stage = PersidskiiObserver(
+    stage = PersidskiiStage(
         np.diag([1.0, -1.0]),
         [[-1.0], [1.0]],
         np.eye(2),
@@ -117,16 +111,14 @@ def test_an_f_of_several_arguments() -> None:
 
 
 def test_a_discrete_stage_takes_the_matrices_of_its_index() -> None:
-    stage = PersidskiiObserver(
-        lambda k: [[1.0 + k]], None, None, [[1.0]], "sin", start=[1.0], time="discrete"
-    )
+    stage = PersidskiiStage(lambda k: [[1.0 + k]], None, None, [[1.0]], "sin", start=[1.0], time="discrete")
     found = [float(stage.update(k, 10.0)[0]) for k in range(4)]
     assert found == [1.0, 11.0, 32.0, 106.0]  # w+ = (1 + k) w + 10
 
 
 def test_plain_stages_keep_the_laws_of_stages() -> None:
-    def stage() -> PersidskiiObserver:
-        return PersidskiiObserver(varying, [[1.0]], [[1.0]], [[1.0, 2.0]], np.tanh, start=[0.5])
+    def stage() -> PersidskiiStage:
+        return PersidskiiStage(varying, [[1.0]], [[1.0]], [[1.0, 2.0]], np.tanh, start=[0.5])
 
     rng = np.random.default_rng(4)
     rows = np.column_stack([np.cumsum(rng.uniform(0.01, 0.2, 20)), rng.normal(size=(20, 2))])
@@ -149,7 +141,7 @@ def varying(t: float) -> Any:
 
 
 def test_a_plain_stage_that_diverges_is_unchanged() -> None:
-    stage = PersidskiiObserver([[0.0]], [[1.0]], [[1.0]], None, lambda s: s**3, start=[1.0], gap_s=10.0)
+    stage = PersidskiiStage([[0.0]], [[1.0]], [[1.0]], None, lambda s: s**3, start=[1.0], gap_s=10.0)
     stage.update(0.0)
     before = stage.remembered()
     with np.errstate(over="ignore", invalid="ignore"), pytest.raises(DivergenceError, match="every bound"):
@@ -161,7 +153,7 @@ def test_a_plain_stage_that_diverges_is_unchanged() -> None:
 def test_a_function_of_the_wrong_shape_is_named(wrong: dict[str, Any]) -> None:
     right: dict[str, Any] = {"N": [[-1.0]], "L": [[1.0]], "J": [[1.0]], "K": [[1.0]], "f": np.sin}
     with pytest.raises(ParameterError) as refused:
-        PersidskiiObserver(**{**right, **wrong})
+        PersidskiiStage(**{**right, **wrong})
     assert refused.value.field == next(iter(wrong))
 
 
@@ -191,8 +183,8 @@ def test_an_observer_of_varying_matrices_runs_as_it_is_designed() -> None:
         return float(np.sin(2.0 * t))
 
     truth = exactly(lambda t, x: plant.field(t, x, [u(t)]), [0.7, -0.2], (0.0, 2.0), times)
-    stage = invariant_stage(observer, start=[0.7, -0.2])
-    other = invariant_stage(observer, start=[0.7, 1.8])
+    stage = observer.stage(start=[0.7, -0.2])
+    other = observer.stage(start=[0.7, 1.8])
     for t, x in zip(times, truth, strict=True):
         inputs = [float(plant.output(t, x)[0]), u(t)]
         # Between two samples the inputs are linear, which they are not in truth.
@@ -207,7 +199,7 @@ def test_a_discrete_observer_of_varying_matrices_runs() -> None:
         time="discrete",
     )  # fmt: skip
     observer = invariant_observer(plant, [[0.0, 1.0]], [[-0.5]])
-    stage, x = invariant_stage(observer, start=[1.0, 2.0]), np.array([1.0, 2.0])
+    stage, x = observer.stage(start=[1.0, 2.0]), np.array([1.0, 2.0])
     for k in range(12):
         inputs = [x[0] if k not in (5, 6, 9) else np.nan, np.cos(k)]
         assert stage.update(k, inputs) == pytest.approx(x, abs=1e-12)
@@ -224,8 +216,8 @@ def test_designs_for_a_function_run_like_those_for_its_name() -> None:
     generator = Generator([[0.0]], [[0.0]], L0=[[4.0]], L1=[[1.0]])
     found = []
     for f in ("tanh", np.tanh):
-        stage = observer_stage(design_observer(plant(f), generator, [[1.0], [2.0]], decay=1.0))
-        reduced = invariant_stage(design_reduced_order(plant(f), [[0.0, 1.0]], injection=True).observer)
+        stage = DrivenObserver.design(plant(f), generator=generator, Pi=[[1.0], [2.0]], decay=1.0).stage()
+        reduced = ReducedOrderObserver.design(plant(f), Pi=[[0.0, 1.0]]).observer.stage()
         found.append(
             [[*stage.update(i / 20, np.sin(i)), *reduced.update(i / 20, [np.sin(i), 1.0])] for i in range(30)]
         )
@@ -234,20 +226,20 @@ def test_designs_for_a_function_run_like_those_for_its_name() -> None:
 
 @pytest.mark.parametrize("pole", [-300.0, -3e4])
 def test_a_fast_stage_takes_short_steps_by_default(pole: float) -> None:
-    stage = PersidskiiObserver([[pole]], None, None, [[-pole]], "sin", start=[1.0])
-    slow = PersidskiiObserver([[-300.0]], None, None, [[300.0]], "sin", start=[1.0], step_s=0.0101)
+    stage = PersidskiiStage([[pole]], None, None, [[-pole]], "sin", start=[1.0])
+    slow = PersidskiiStage([[-300.0]], None, None, [[300.0]], "sin", start=[1.0], step_s=0.0101)
     for i in range(60):
         found, grown = stage.update(0.03 * i, 0.0)[0], slow.update(0.03 * i, 0.0)[0]
     assert abs(found) < 1e-12
     assert abs(grown) > 1e3
-    assert PersidskiiObserver([[-30.0]], None, None, None, "sin").step_s == 0.01
+    assert PersidskiiStage([[-30.0]], None, None, None, "sin").step_s == 0.01
 
 
 def test_the_default_step_does_not_depend_on_units() -> None:
     n = np.array([[-200.0, 1e4], [-1.0, -50.0]])
     for scale in (1e-6, 1.0, 1e6):
         d = np.diag([scale, 1.0])
-        stage = PersidskiiObserver(
+        stage = PersidskiiStage(
             d @ n @ np.linalg.inv(d),
             d @ [[30.0], [1.0]],
             np.array([[1.0, 2.0]]) @ np.linalg.inv(d),
@@ -258,7 +250,7 @@ def test_the_default_step_does_not_depend_on_units() -> None:
 
 
 def test_a_stage_whose_rate_grows_takes_shorter_steps() -> None:
-    stage = PersidskiiObserver(lambda t: [[-1.0 - 1e3 * t]], None, None, None, "sin", start=[1.0])
+    stage = PersidskiiStage(lambda t: [[-1.0 - 1e3 * t]], None, None, None, "sin", start=[1.0])
     for i in range(20):
         found = stage.update(0.1 * i)[0]
     assert abs(found) < 1e-9
@@ -266,7 +258,7 @@ def test_a_stage_whose_rate_grows_takes_shorter_steps() -> None:
 
 def test_a_fast_reduced_order_observer_runs_with_defaults() -> None:
     plant = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0])
-    stage = invariant_stage(invariant_observer(plant, [[0.0, 1.0]], [[-300.0]]))
+    stage = invariant_observer(plant, [[0.0, 1.0]], [[-300.0]]).stage()
     for i in range(50):
         state = stage.update(0.05 * i, 0.015 * i)
     assert state == pytest.approx([0.735, 0.3], abs=1e-9)
@@ -274,15 +266,15 @@ def test_a_fast_reduced_order_observer_runs_with_defaults() -> None:
 
 def test_a_gap_that_a_very_fast_stage_cannot_bridge_is_named() -> None:
     with pytest.raises(ParameterError, match=r"at most 0\.1 s.* give a shorter gap_s") as refused:
-        PersidskiiObserver([[-1e6]], None, None, None, "sin", gap_s=1.0)
+        PersidskiiStage([[-1e6]], None, None, None, "sin", gap_s=1.0)
     assert refused.value.field == "gap_s"
-    stage = PersidskiiObserver([[-1e6]], None, None, None, "sin", start=[1.0], gap_s=0.05)
+    stage = PersidskiiStage([[-1e6]], None, None, None, "sin", start=[1.0], gap_s=0.05)
     stage.update(0.0)
     assert stage.update(1e-6) == pytest.approx(np.exp(-1.0), abs=0.01)
 
 
 def test_a_plain_stage_refuses_more_steps_than_it_takes() -> None:
-    stage = PersidskiiObserver([[-1.0]], [[1.0]], [[1.0]], [[1.0]], lambda s: np.sin(s))
+    stage = PersidskiiStage([[-1.0]], [[1.0]], [[1.0]], [[1.0]], lambda s: np.sin(s))
     stage.update(0.0, 1.0)
     before = stage.remembered()
     for inputs in (1.0, None):

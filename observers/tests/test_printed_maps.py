@@ -10,25 +10,20 @@ from scipy.linalg import solve_sylvester
 
 from observers.tests.printed import check_map, check_observer
 from pointpred.errors import CertificateError, ParameterError
-from pointpred_observers import (
-    Generator,
-    Persidskii,
-    SymbolicGenerator,
-    SymbolicSystem,
-    check_steady_state,
-    invariant_observer,
-    theorem_3_3_1,
-    theorem_3_3_2,
+from pointpred_observers import Generator, Persidskii, invariant_observer
+from pointpred_observers.examples import (
+    UNMEASURED,
+    Bioreactor,
+    academic,
+    chua_circuits,
+    interlaced_states,
+    two_masses,
 )
-from pointpred_observers.examples import UNMEASURED, Bioreactor, academic, chua_circuits, two_masses
+from pointpred_observers.thesis import check_steady_state, theorem_3_3_1, theorem_3_3_2
 
 sp = pytest.importorskip("sympy")
-W1, W2, U = sp.symbols("w1 w2 u")
-X = X1, X2, X3, X4 = sp.symbols("x1:5")
-CIRCLE = SymbolicGenerator((W1, W2), (W2, -W1))
-EIGHT = SymbolicSystem(
-    X, (-X1 + X2**2 * X3, -X2 + X3, -(X3**3) + X4, -X4 + (1 + X3**2) * U), U, outputs=(X3,)
-)
+W1, W2, X1 = sp.symbols("w1 w2 x1")
+EIGHT, CIRCLE = interlaced_states()
 PI1 = sp.Rational(1, 40) * (W1**3 - 7 * W2**3 - 9 * W1**2 * W2 + 7 * W1 * W2**2)
 MAPS = (PI1, W1 / 2 - W2 / 2, W1, W2 + W1**3)
 INPUT = (W1**3 + 3 * W1**2 * W2 - W1 + W2) / (1 + W1**2)

@@ -9,20 +9,15 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred_observers import (
-    Generator,
-    Persidskii,
-    UnknownInputObserver,
-    certify_tracking,
-    design_observer,
-    design_reduced_order,
-    invariant_observer,
-    undetectable,
-)
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.triangular.interlaced_certificate import certify
-from pointpred_observers.unknown_input.boxes import Box
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers import Generator, Persidskii, invariant_observer
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.varying import ParameterVaryingSystem
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.thesis import certify_tracking, undetectable
+from pointpred_observers.triangular.interlaced_observer import certify
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 PLANT = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
 DRIVEN = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
@@ -30,20 +25,21 @@ CONSTANT = Generator([[0.0]], L0=[1.0])
 WRONG: list[Any] = ["fast", 1.0 + 1.0j, None, True, np.nan, np.inf, -1.0]
 
 
-def unknown_input(columns: int = 1, axis: str = "k", sigma: Any = 0.1, **more: Any) -> Any:
+def unknown_input(columns: int = 1, axis: str = "k", decay: Any = 0.05, **more: Any) -> Any:
     system = ParameterVaryingSystem(
         lambda p: np.diag([-1.0, -2.0 - p["k"]]), lambda p: np.eye(2, columns), np.eye(1, 2)
     )
-    return UnknownInputObserver.design(system, Box({axis: (0.0, 1.0)}), sigma, **more)
+    return UnknownInputObserver.design(system, Box({axis: (0.0, 1.0)}), decay, **more)
 
 
-NOT_NEEDED = "output_rate must be positive and finite"
+NOT_NEEDED = "output_decay must be finite and above 0"
 TAKING: dict[str, Callable[[Any], Any]] = {
-    "decay must be finite and not below 0": lambda v: design_observer(DRIVEN, CONSTANT, [[1.0]], decay=v),
-    "decay must be finite and above 0": lambda v: design_reduced_order(PLANT, decay=v),
-    "sigma must be positive and finite": lambda v: unknown_input(sigma=v),
-    NOT_NEEDED: lambda v: unknown_input(output_rate=v),
-    "rate must be a positive number": lambda v: certify([[0.0]], [[1.0]], rate=v),
+    "decay must be finite and not below 0": lambda v: DrivenObserver.design(
+        DRIVEN, generator=CONSTANT, Pi=[[1.0]], decay=v
+    ),
+    "decay must be finite and above 0": lambda v: ReducedOrderObserver.design(PLANT, decay=v),
+    NOT_NEEDED: lambda v: unknown_input(output_decay=v),
+    "decay must be finite and above 0, received": lambda v: certify([[0.0]], [[1.0]], decay=v),
     "tolerance must lie in": lambda v: invariant_observer(PLANT, [[0.0, 1.0]], [[-3.0]], tolerance=v),
 }
 

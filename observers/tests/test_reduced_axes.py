@@ -6,16 +6,18 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pointpred_observers.inequalities import matrix_inequalities
 
 from evidence.observers.designs import outcome
 from evidence.observers.plants import hiding
 from pointpred.errors import UndecidedError
-from pointpred_observers import Persidskii, certify_convergence, design_reduced_order, invariant_observer
-from pointpred_observers.inequalities import matrix_inequalities
-from pointpred_observers.inequalities.solver import Answer
+from pointpred_observers import Persidskii, invariant_observer
+from pointpred_observers.proofs.solver import Answer
+from pointpred_observers.proofs.stationary import filter_start
 from pointpred_observers.reduced_order import design
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.upsilon import split
-from pointpred_observers.stationary import filter_start
+from pointpred_observers.thesis import certify_convergence
 
 
 def hidden(seed: int, share: float) -> Persidskii:
@@ -58,11 +60,11 @@ def test_what_is_undecided_is_tried_again_in_those_axes(monkeypatch: pytest.Monk
         return certify_convergence(observer, **options)
 
     monkeypatch.setattr(design, "certify_convergence", rounded)
-    assert design_reduced_order(plant, decay=0.5).observer._given["Pi"] is tried[1]
+    assert ReducedOrderObserver.design(plant, decay=0.5).observer._given["Pi"] is tried[1]
     assert not np.allclose(tried[0], tried[1])
     tried.clear()
     given = design._unmeasured(plant)
-    design_reduced_order(plant, given, decay=0.5)
+    ReducedOrderObserver.design(plant, Pi=given, decay=0.5)
     assert [one is given for one in tried] == [True, True]
 
 
@@ -75,7 +77,7 @@ def test_a_search_may_begin_at_any_condition_number(monkeypatch: pytest.MonkeyPa
     turn = np.array([[0.8, -0.6], [0.6, 0.8]])
     p = turn @ np.diag([1.0, 1e10]) @ turn.T
     certificate = certify_convergence(observer, decay=0.5, near={"P": 0.5 * (p + p.T)})
-    assert 0.5 <= certificate.bound.rate <= 0.50001
+    assert 0.5 <= certificate.bound.decay <= 0.50001
 
 
 @pytest.mark.slow

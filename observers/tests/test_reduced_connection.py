@@ -119,9 +119,7 @@ def test_matrices_that_vary_with_time_keep_it_invariant(seed: int) -> None:
         return np.concatenate([plant.field(t, both[:3], u), inputs])
 
     x = random.standard_normal(3)
-    states = trajectory(
-        slope, np.concatenate([x, z(0.0) @ x]), [0.0, 0.25, 0.5], integrator="scipy", tolerance=1e-11
-    )
+    states = trajectory(slope, np.concatenate([x, z(0.0) @ x]), [0.0, 0.25, 0.5], tolerance=1e-11)
     for t, state in zip([0.0, 0.25, 0.5], states, strict=True):
         growth = max(1.0, float(np.abs(states).max()), float(np.exp(np.abs(observer.at(t).S0).max() * 0.5)))
         assert np.abs(state[3:] - z(t) @ state[:3]).max() < 1e-9 * growth
@@ -148,7 +146,7 @@ def test_discrete_observers_stay_on_it_too(seed: int, varying: bool) -> None:
     x = np.random.default_rng(seed).standard_normal(4)
     at = given_pi if callable(given_pi) else lambda k: pi
     start = np.concatenate([x, at(0) @ x + upsilon @ plant.output(0, x)])
-    states = trajectory(lambda k, s: joint(plant, observer, k, s), start, range(6), integrator="discrete")
+    states = trajectory(lambda k, s: joint(plant, observer, k, s), start, range(6), time="discrete")
     for k, state in enumerate(states):
         wanted = at(k) @ state[:4] + upsilon @ plant.output(k, state[:4])
         largest = max(np.abs(observer.at(j).S0).max() for j in range(6))

@@ -8,43 +8,36 @@ import numpy as np
 import pytest
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred_observers import (
-    Persidskii,
-    certify_convergence,
-    design_reduced_order,
-    invariant_observer,
-)
+from pointpred_observers import Persidskii, invariant_observer
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.thesis import certify_convergence
 
 OPEN = Persidskii(np.diag([-1.0, -2.0, -3.0, -4.0]), None, None, "sin", C0=np.eye(2, 4))
 PI = np.eye(4)[2:]
 LOST = Persidskii([[0.0, 0.0], [0.0, 1.0]], None, None, "sin", C0=[1.0, 0.0])
 REFUSED: list[tuple[Any, type, str]] = [
-    (lambda: design_reduced_order(LOST), InfeasibleError, "not detectable: the mode of the eigenvalue 1"),
     (
-        lambda: design_reduced_order(OPEN, PI, decay=0.0),
+        lambda: ReducedOrderObserver.design(LOST),
+        InfeasibleError,
+        "not detectable: the mode of the eigenvalue 1",
+    ),
+    (
+        lambda: ReducedOrderObserver.design(OPEN, Pi=PI, decay=0.0),
         ParameterError,
         "decay must be finite and above 0",
     ),
     (
-        lambda: design_reduced_order(OPEN, np.eye(2, 4)),
+        lambda: ReducedOrderObserver.design(OPEN, Pi=np.eye(2, 4)),
         ParameterError,
         "rows of Pi and C0 must be independent",
     ),
     (
-        lambda: design_reduced_order(Persidskii(-np.eye(2), None, None, "sin", C0=np.eye(2))),
+        lambda: ReducedOrderObserver.design(Persidskii(-np.eye(2), None, None, "sin", C0=np.eye(2))),
         ParameterError,
         "nothing to observe",
     ),
     (
-        lambda: design_reduced_order(
-            Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, 1.0], [1.0, 0.0], "sin", C0=[1.0, 0.0]),
-            injection=False,
-        ),
-        InfeasibleError,
-        "cannot hold for any Upsilon: its residual is 1; injection=True",
-    ),
-    (
-        lambda: design_reduced_order(
+        lambda: ReducedOrderObserver.design(
             Persidskii(-np.eye(2), None, None, "sin", C0=[1.0, 0.0], Q=lambda t: [t, t])
         ),
         ParameterError,

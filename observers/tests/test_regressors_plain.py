@@ -13,7 +13,7 @@ SCRIPT = """
 import sys
 import numpy as np
 import pointpred.compiled
-from pointpred_observers import GradientRegressor, NonlinearRegressor, invariant_observer, invariant_stage
+from pointpred_observers import GradientRegressor, NonlinearRegressor, invariant_observer
 from pointpred_observers.examples import UNMEASURED, two_masses
 
 def answers(seed):
@@ -27,7 +27,7 @@ def answers(seed):
         "gradient": GradientRegressor(2, gain=[[2.0, 0.5], [0.5, 1.0]]).walk(begin, both),
         "discrete": GradientRegressor(2, gain=0.3, time="discrete", normalised=True).walk(begin, both),
         "nonlinear": NonlinearRegressor(2, gain=9.0).walk(begin, np.column_stack([both, weight])),
-        "observer": invariant_stage(observer).walk(begin, np.column_stack([t, d, d[::-1]])),
+        "observer": observer.stage().walk(begin, np.column_stack([t, d, d[::-1]])),
     }
 
 if __name__ == "__main__":

@@ -11,20 +11,17 @@ from hypothesis import strategies as st
 from scipy.linalg import solve_sylvester
 
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred_observers import (
-    Generator,
-    Persidskii,
-    c2d,
+from pointpred_observers import Generator, Persidskii, c2d, trajectory
+from pointpred_observers.examples import robotic_arm
+from pointpred_observers.interconnected.regulator import Regulator
+from pointpred_observers.interconnected.tracking import closed_loop
+from pointpred_observers.thesis import (
     certify_tracking,
-    closed_loop,
-    design_regulator,
     design_state_feedback,
     regulator_equations,
     regulator_stage,
     residuals,
-    trajectory,
 )
-from pointpred_observers.examples import robotic_arm
 
 MASS = Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0])
 """An inverted pendulum: x'' = sin x + u."""
@@ -101,7 +98,7 @@ def test_a_given_l1_is_kept_and_a_cancelled_f_needs_no_slopes() -> None:
 
 
 def test_the_pendulum_is_held_upright_from_its_angle_alone() -> None:
-    design = design_regulator(MASS, decay=1.0)
+    design = Regulator.design(MASS, decay=1.0)
     for name, left in residuals(design.plant, design.regulator, design.Pi).items():
         assert np.abs(left).max() < 1e-9, name
     times = np.arange(0.0, 12.0, 0.5)
@@ -114,7 +111,7 @@ def test_the_pendulum_is_held_upright_from_its_angle_alone() -> None:
 
 
 def test_the_regulator_runs_as_a_stage() -> None:
-    design = design_regulator(MASS, decay=1.0)
+    design = Regulator.design(MASS, decay=1.0)
     stage, x, h = regulator_stage(MASS, design.regulator, step_s=1e-3), np.array([0.5, 0.0]), 2e-2
     for i in range(500):
         u = stage.update(i * h, MASS.output(i * h, x))
@@ -127,7 +124,7 @@ def test_what_is_designed_passes_the_theorems_of_the_thesis_where_their_premise_
     plant = Persidskii(
         [[-0.2, 1.0], [-1.0, -0.3]], [-0.5, 0.0], [1.0, 0.0], "tanh", [1.0, 0.0], None, [1.0, 0.0]
     )
-    design = design_regulator(plant, decay=0.4, L1=[[-0.5]])
+    design = Regulator.design(plant, decay=0.4, L1=[[-0.5]])
     certificate = certify_tracking(plant, design.regulator, design.Pi)
     assert min(certificate.margins.values()) > 0.0
 
@@ -136,7 +133,7 @@ def test_what_is_designed_passes_the_theorems_of_the_thesis_where_their_premise_
 def test_the_arm_has_a_regulator_though_assumption_3_2_3_fails() -> None:
     """Example 3: no input drives the link, J S~ = 0; the proof at the corners of the slopes needs no such."""
     plant, _ = robotic_arm(reach=1.0)
-    design = design_regulator(plant, decay=0.5, L1=[[0.0]])
+    design = Regulator.design(plant, decay=0.5, L1=[[0.0]])
     assert min(design.feedback.certificate.margins.values()) > 0.0
     with pytest.raises(ArithmeticError, match=r"3\.2\.3"):
         certify_tracking(plant, design.regulator, design.Pi)
@@ -149,7 +146,7 @@ def test_the_arm_has_a_regulator_though_assumption_3_2_3_fails() -> None:
 
 def test_a_discrete_regulator() -> None:
     plant = c2d(MASS, 0.05)
-    design = design_regulator(plant, decay=0.03)
+    design = Regulator.design(plant, decay=0.03)
     f = plant.f
 
     def onward(k: float, both: Any) -> Any:
@@ -157,14 +154,14 @@ def test_a_discrete_regulator() -> None:
         g = design.regulator
         return np.concatenate([plant.field(k, x, g.output(w, f=f)), g.field(w, y=plant.output(k, x), f=f)])
 
-    end = trajectory(onward, [0.5, 0.0, 0.0, 0.0], np.arange(400), integrator="discrete")[-1]
+    end = trajectory(onward, [0.5, 0.0, 0.0, 0.0], np.arange(400), time="discrete")[-1]
     assert np.abs(end).max() < 1e-4
 
 
 def test_a_reference_is_followed_from_the_angle_alone() -> None:
     """sin is cancelled by the input; the angle is to follow the first state of an oscillator."""
     circle = Generator([[0.0, 2.0], [-2.0, 0.0]])
-    design = design_regulator(MASS, decay=1.0, reference=circle, following=([[1.0, 0.0]], [[1.0, 0.0]]))
+    design = Regulator.design(MASS, decay=1.0, reference=circle, following=([[1.0, 0.0]], [[1.0, 0.0]]))
     assert design.equations is not None
     assert design.equations.Pi == pytest.approx(np.array([[1.0, 0.0], [0.0, 2.0]]), abs=1e-9)
     assert pytest.approx(np.array([[-1.0]])) == design.feedback.L1
@@ -219,14 +216,14 @@ def test_a_zero_at_an_eigenvalue_of_the_reference_is_named() -> None:
             InfeasibleError,
             "no input moves the mode of the eigenvalue 1",
         ),
-        (lambda: design_regulator(MASS, reference=Generator([[0.0]])), ParameterError, "together"),
+        (lambda: Regulator.design(MASS, reference=Generator([[0.0]])), ParameterError, "together"),
         (
-            lambda: design_regulator(MASS, reference=Generator([[0.0]]), following=3),
+            lambda: Regulator.design(MASS, reference=Generator([[0.0]]), following=3),
             ParameterError,
             "following must be",
         ),
         (
-            lambda: design_regulator(
+            lambda: Regulator.design(
                 Persidskii(MASS.A0, [1.0, 0.0], MASS.H, "sin", MASS.B, None, MASS.C0),
                 reference=Generator([[0.0]]),
                 following=([[1.0, 0.0]], [[1.0]]),

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointpred_observers import Persidskii, design_reduced_order
-from pointpred_observers.rounding import NO_DIGIT, without_rounding
+from pointpred_observers import Persidskii
+from pointpred_observers.numerics.equalities import NO_DIGIT, without_rounding
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
 
 
 def tanks(coupling: float = 0.0) -> Persidskii:
@@ -21,22 +22,22 @@ def tanks(coupling: float = 0.0) -> Persidskii:
 @pytest.mark.parametrize("decay", [0.05, 0.1, 0.15])
 def test_the_bound_of_a_cascade_is_small(decay: float) -> None:
     """With its rounding balanced to 1 the overshoot was 3e8."""
-    design = design_reduced_order(tanks(), decay=decay, injection=True)
+    design = ReducedOrderObserver.design(tanks(), decay=decay)
     assert design.certificate.bound.overshoot < 2.0
     assert np.linalg.cond(design.certificate.values["P"]) < 10.0
 
 
 def test_the_levels_that_are_not_measured_keep_their_zeros() -> None:
-    now = design_reduced_order(tanks(), decay=0.1, injection=True).observer.at(0.0)
+    now = ReducedOrderObserver.design(tanks(), decay=0.1).observer.at(0.0)
     assert np.count_nonzero(now.S1) == 3
     assert np.count_nonzero(now.J) == 2
 
 
 def test_what_decays_by_itself_needs_no_output_and_that_is_the_least() -> None:
-    design = design_reduced_order(tanks(), decay=0.1, injection=True)
+    design = ReducedOrderObserver.design(tanks(), decay=0.1)
     assert not design.Upsilon.any()
     assert design.gap == 0.0
-    faster = design_reduced_order(tanks(), decay=0.5, injection=True)
+    faster = ReducedOrderObserver.design(tanks(), decay=0.5)
     assert np.abs(faster.Upsilon).max() > 0.1
     assert 0.0 < faster.gap < 1.0
 
@@ -45,11 +46,11 @@ def test_what_decays_by_itself_needs_no_output_and_that_is_the_least() -> None:
 def test_the_output_is_used_where_a_mode_is_too_slow(time: str) -> None:
     plant = Persidskii([[0.9, 0.5], [0.0, 0.8]], C0=[1.0, 0.0], time=time)
     for decay in (0.1, 0.3):  # a mode of 0.8 a step decays by 0.223
-        design = design_reduced_order(plant, decay=decay)
+        design = ReducedOrderObserver.design(plant, decay=decay)
         unneeded = time == "discrete" and decay == 0.1
         assert design.Upsilon.any() != unneeded
         assert (design.gap == 0.0) == unneeded
-        assert design.certificate.bound.rate >= decay * (1.0 - 1e-9)
+        assert design.certificate.bound.decay >= decay * (1.0 - 1e-9)
 
 
 def test_an_entry_that_has_digits_stays() -> None:

@@ -13,7 +13,8 @@ from scipy.linalg import expm
 import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from pointpred.errors import DivergenceError, EventError, ParameterError
-from pointpred_observers import trajectories
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.simulations import trajectories
 
 pytest.importorskip("cvxpy")
 
@@ -168,11 +169,11 @@ def test_every_regressor_finds_the_constants() -> None:
 
 def test_a_plant_that_is_stiff_or_slow() -> None:
     stiff = o.Persidskii([[-1e5, 1e5], [0.0, -1.0]], None, None, "sin", C0=[0.0, 1.0])
-    result = o.simulate(stiff, o.design_reduced_order(stiff, decay=2.0), times=TIMES)
+    result = o.simulate(stiff, o.design(stiff, "reduced", decay=2.0), times=TIMES)
     assert np.allclose(result.state[-1], np.exp(-TIMES[-1]) * np.array([1e5 / (1e5 - 1.0), 1.0]), atol=1e-6)
     slow = o.Persidskii([[-1e-4, 0.0], [1e-4, -2e-4]], None, None, "sin", [1e-4, 0.0], None, [0.0, 1.0])
     times = 60.0 * np.arange(300.0)
-    result = o.simulate(slow, o.design_reduced_order(slow, decay=5e-4), times=times, input=[1.0])
+    result = o.simulate(slow, o.design(slow, "reduced", decay=5e-4), times=times, input=[1.0])
     assert (
         np.abs(result.error[-1]).max() < 1e-3
     )  # no sample interval counts as a gap, after which it would restart
@@ -182,16 +183,16 @@ def test_a_plant_that_is_stiff_or_slow() -> None:
 def test_a_loop_estimates_the_same_in_every_unit_of_time(unit: float) -> None:
     """The unit in s: a plant that is sampled once a second, 1000 units of 1 ms or 1/60 of a minute apart."""
     cart = o.Persidskii([[0.0, unit], [0.0, -0.3 * unit]], None, None, "sin", [0.0, unit], None, [1.0, 0.0])
-    design = o.design_reduced_order(cart, decay=0.5 * unit)
+    design = o.design(cart, "reduced", decay=0.5 * unit)
     result = o.simulate(cart, design, times=np.arange(30) / unit, input=[1.0])
-    loop = o.invariant_stage(design.observer)
+    loop = design.observer.stage()
     answers = [loop.update(t, [y[0], 1.0]) for t, y in zip(result.t, result.output, strict=True)]
     assert np.array_equal(answers, result.estimate)
     assert answers[-1] == pytest.approx(result.state[-1], rel=1e-4)
 
 
 def test_samples_too_far_apart_for_a_fast_observer_are_refused() -> None:
-    stage = o.PersidskiiObserver([[-1e8]], None, None, [[1e8]], "sin")
+    stage = PersidskiiStage([[-1e8]], None, None, [[1e8]], "sin")
     stage.update(0.0, 1.0)
     before = stage.remembered()
     with pytest.raises(EventError, match=r"comes 0\.01 s after the last one, .* most 0\.001 s"):
@@ -202,7 +203,7 @@ def test_samples_too_far_apart_for_a_fast_observer_are_refused() -> None:
         stage.walk(np.zeros(2, np.bool_), table)
     assert stage.remembered() == before
     assert np.isfinite(stage.walk(np.array([False, True]), table)).all()  # another run begins
-    design = o.design_reduced_order(kept.CART, decay=3e4)
+    design = o.design(kept.CART, "reduced", decay=3e4)
     with pytest.raises(ParameterError, match="times: samples lie 10 s apart, more than 1e5 steps"):
         o.simulate(kept.CART, design, times=[0.0, 10.0])
 
@@ -261,7 +262,7 @@ WRONG = [
     ({"plant": kept.PENDULUM}, "received one of 2 states, 2 inputs"),
     ({"plant": kept.TANKS}, "discrete time"),
     ({"plant": 3}, "a plant must be"),
-    ({"observer": None}, "can simulate ReducedOrderDesign"),
+    ({"observer": None}, "can simulate an Observer"),
     ({"plant": lambda t, x: -x, "observer": [1.0]}, "trajectory(field, start, times)"),
     ({"plant": kept.CART, "observer": "unknown input"}, "plant must be a ParameterVaryingSystem"),
     ({"plant": kept.WING, "observer": "unknown input", "schedule": {"q": 1.0}}, "schedule lacks k"),
@@ -285,7 +286,7 @@ def test_a_wrong_argument_is_named(change: dict[str, Any], words: str) -> None:
 def test_a_plant_that_leaves_every_bound_is_named_with_the_time() -> None:
     hot = o.Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "cube", None, None, [1.0, 0.0],
                        slopes=(0.0, 3.0), domain=1.0)  # fmt: skip
-    design = o.design_reduced_order(hot, decay=1.0, injection=True)
+    design = o.design(hot, "reduced", decay=1.0)
     with pytest.raises(DivergenceError, match="leaves every bound"):
         o.simulate(hot, design, start=[3.0, 3.0])
 
@@ -364,6 +365,4 @@ def test_a_figure_and_an_error_of_what_is_not_there_are_refused(tmp_path: Path) 
 def test_a_start_beyond_every_bound_ends_without_a_warning(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trajectories, "STANDING_MOST", 5000)
     with pytest.raises(DivergenceError, match="stands still near t = 0: its numbers are too large"):
-        o.simulate(
-            kept.CART, o.design_reduced_order(kept.CART, decay=50.0), times=TIMES, start=[0.0, 1.7e308]
-        )
+        o.simulate(kept.CART, o.design(kept.CART, "reduced", decay=50.0), times=TIMES, start=[0.0, 1.7e308])

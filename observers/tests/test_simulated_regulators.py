@@ -11,6 +11,7 @@ import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from observers.tests.test_simulate import solved
 from pointpred.errors import DivergenceError
+from pointpred_observers.interconnected.tracking import closed_loop
 
 pytest.importorskip("cvxpy")
 
@@ -45,7 +46,7 @@ def test_a_plant_under_its_regulator_whose_input_is_held() -> None:
 def test_a_regulator_that_is_sampled_too_seldom_shows_it() -> None:
     """x grows by e^h in a sample, and u = -6 x moves it by 6 (e^h - 1): beyond ln(4/3) or so it swings up."""
     plant = o.Persidskii([[1.0]], None, None, "sin", [1.0], None, [1.0])
-    design = o.design_regulator(plant, decay=5.0)
+    design = o.design(plant, "regulator", decay=5.0)
     fine, coarse = (o.simulate(plant, design, times=h * np.arange(30), start=[1.0]) for h in (0.1, 1.0))
     assert abs(fine.state[-1, 0]) < 1e-5
     assert abs(coarse.state[-1, 0]) > 1e6
@@ -55,11 +56,11 @@ def test_a_regulator_that_is_sampled_too_seldom_shows_it() -> None:
 
 def test_a_discrete_plant_under_its_regulator_is_the_closed_loop() -> None:
     sampled = o.c2d(kept.PENDULUM, 0.02)
-    design = o.design_regulator(sampled, decay=0.02)
+    design = o.design(sampled, "regulator", decay=0.02)
     both, expected = np.array([1.0, 0.0, 0.0, 0.0]), []
     for k in range(50):
         expected.append(both)
-        both = o.closed_loop(sampled, design.regulator, float(k), both)
+        both = closed_loop(sampled, design.regulator, float(k), both)
     result = o.simulate(sampled, design, times=np.arange(50.0), start=[1.0, 0.0])
     assert np.allclose(np.hstack([result.state, result.estimate]), expected, atol=1e-12)
 

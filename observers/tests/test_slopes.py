@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred_observers import Persidskii, design_full_order
-from pointpred_observers.documents.files import decoded, encoded
-from pointpred_observers.nonlinearity import KNOWN, value
-from pointpred_observers.slopes import true_slopes
+from pointpred_observers import Persidskii
+from pointpred_observers.files import decoded, encoded
+from pointpred_observers.interconnected.design import FullOrderObserver
+from pointpred_observers.plants.nonlinearity import KNOWN, true_slopes, value
 
 
 def plant(f: Any, slopes: Any, domain: float = np.inf) -> Persidskii:
@@ -150,7 +150,7 @@ def test_slopes_need_as_many_arguments_as_components(k: int, f: Any) -> None:
         made((0.0, 1.0))
     assert wrong.value.field == "slopes"
     with pytest.raises(ParameterError, match="a design needs slopes"):
-        design_full_order(made(None))
+        FullOrderObserver.design(made(None))
     one = plant("tanh", None)
     with pytest.raises(ParameterError, match="f has 1 components, needs 2"):
         Persidskii(-np.eye(2), np.eye(2), np.eye(2), one.f)

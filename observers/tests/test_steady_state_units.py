@@ -7,13 +7,9 @@ import pytest
 
 from observers.tests.printed import check_map
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers import (
-    Generator,
-    Persidskii,
-    certify_tracking,
-    design_observer,
-    steady_state_map,
-)
+from pointpred_observers import Generator, Persidskii, steady_state_map
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.thesis import certify_tracking
 
 
 @pytest.mark.parametrize("scale", [1e-12, 1.0, 1e12])
@@ -47,10 +43,12 @@ def test_a_wrong_map_is_refused_however_large_an_entry_is_elsewhere(unit: float)
     with pytest.raises(
         InfeasibleError, match=r"Assumption 3\.2\.1: A0 Pi .* residual is 4, 0\.7 of its terms"
     ):
-        design_observer(plant, generator, [[5.0]])
+        DrivenObserver.design(plant, generator=generator, Pi=[[5.0]], decay=0.0)
     with pytest.raises(CertificateError, match="residual is 4, nothing is rounded"):
         check_map(plant, generator, [[5.0]])
-    assert min(design_observer(plant, generator, [[1.0]]).margins.values()) > 0.0
+    assert (
+        min(DrivenObserver.design(plant, generator=generator, Pi=[[1.0]], decay=0.0).margins.values()) > 0.0
+    )
 
 
 @pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
@@ -61,7 +59,7 @@ def test_one_row_of_a_map_does_not_hide_another(unit: float) -> None:
     right = np.array([[1.0], [unit]])
     assert steady_state_map(plant, generator).Pi == pytest.approx(right)
     with pytest.raises(InfeasibleError, match=r"0\.0005 of its terms"):
-        design_observer(plant, generator, right * [[1.0], [1.001]])
+        DrivenObserver.design(plant, generator=generator, Pi=right * [[1.0], [1.001]], decay=0.0)
 
 
 def test_tracking_refuses_a_map_in_small_units() -> None:
@@ -78,7 +76,14 @@ def test_rounding_in_a_map_of_the_caller_is_no_failure() -> None:
         [[0.0, 1.0], [-2.0, -3.0]], [0.0, -2.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0]
     )
     generator = Generator([[0.0, 1.0], [-2.0, -3.0]], [1e-17, -2.0], None, None, np.array([[1e-17, 0.0]]))
-    assert min(design_observer(plant, generator, np.eye(2) + 1e-17).margins.values()) > 0.0
+    assert (
+        min(
+            DrivenObserver.design(
+                plant, generator=generator, Pi=np.eye(2) + 1e-17, decay=0.0
+            ).margins.values()
+        )
+        > 0.0
+    )
 
 
 @pytest.mark.parametrize("unit", [1e-3, 1.0, 1e11])
@@ -87,6 +92,6 @@ def test_one_column_of_a_map_does_not_hide_another(unit: float) -> None:
     plant = Persidskii(np.diag([-1.0, -1.0]), None, None, "sin", np.eye(2), None, np.eye(2))
     right = np.array([[1e4, 4e-4 * unit], [0.0, 8e-4 * unit]])
     generator = Generator(np.zeros((2, 2)), L0=right)
-    assert min(design_observer(plant, generator, right).margins.values()) > 0.0
+    assert min(DrivenObserver.design(plant, generator=generator, Pi=right, decay=0.0).margins.values()) > 0.0
     with pytest.raises(InfeasibleError, match=r"Assumption 3\.2\.1: A0 Pi .* 0\.3 of its terms"):
-        design_observer(plant, generator, right * [[1.0, 2.0], [1.0, 1.0]])
+        DrivenObserver.design(plant, generator=generator, Pi=right * [[1.0, 2.0], [1.0, 1.0]], decay=0.0)

@@ -13,20 +13,15 @@ import pytest
 
 from evidence.observers.plants import DOORS, KINDS, Problem
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred_observers import (
-    Generator,
-    Persidskii,
-    audit,
-    design_full_order,
-    design_reduced_order,
-)
+from pointpred_observers import Generator, Persidskii, audit
 from pointpred_observers.cli.observer_tables import print_audit, print_design, summary
-from pointpred_observers.documents.files import decoded, encoded
-from pointpred_observers.inequalities.affine import Affine
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.inequalities.proof import Multipliers, reach
+from pointpred_observers.files import decoded, encoded
 from pointpred_observers.interconnected import design as interconnected
+from pointpred_observers.interconnected.design import FullOrderObserver
+from pointpred_observers.proofs.affine import Affine, Multipliers, reach
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.reduced_order import design as reduced
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
 
 MOTOR = Persidskii(
     [[0.0, 1.0, 0.0], [0.0, -0.5, 4.0], [0.0, -0.2, -8.0]], None, None, "sin", [0.0, 0.0, 2.0], None,
@@ -90,11 +85,11 @@ def test_a_print_may_lie_on_either_side_of_the_edge() -> None:
 
 def test_a_linear_plant_has_no_corner_in_the_name_of_its_inequality() -> None:
     plant = Persidskii([[0.5]], None, None, "sin", C0=[1.0], time="discrete")
-    assert "the LMI" in design_full_order(plant, decay=1.0).margins
+    assert "the LMI" in FullOrderObserver.design(plant, decay=1.0).margins
 
 
 def test_a_design_at_the_edge_is_neither_loaded_nor_audited() -> None:
-    design = design_full_order(CART)
+    design = FullOrderObserver.design(CART)
     assert min(audit(design).values()) > 0.0
     document = json.loads(encoded(design))
     document["certificate"]["Gamma"] = (
@@ -116,7 +111,12 @@ def test_no_proof_reaches_beyond_the_rounding_of_the_coefficients() -> None:
 
 
 @pytest.mark.parametrize(
-    ("door", "decay"), [(design_full_order, 1e10), (design_reduced_order, 1e12), (design_reduced_order, 1e9)]
+    ("door", "decay"),
+    [
+        (FullOrderObserver.design, 1e10),
+        (ReducedOrderObserver.design, 1e12),
+        (ReducedOrderObserver.design, 1e9),
+    ],
 )
 def test_an_observable_plant_is_never_refused_for_every_p(door: Any, decay: float) -> None:
     refused = ""
@@ -133,16 +133,16 @@ def test_an_observable_plant_is_never_refused_for_every_p(door: Any, decay: floa
 def test_an_equality_that_only_rounding_violates_is_undecided() -> None:
     plant = Persidskii(MOTOR.A0, [0.0, -2.0, 0.0], [1.0, 0.0, 0.0], "sin", C0=[1.0, 0.0, 0.0])
     with pytest.raises(UndecidedError, match=r"too large for the arithmetic"):
-        design_reduced_order(plant, decay=1e8, injection=True)
+        ReducedOrderObserver.design(plant, decay=1e8)
 
 
 def test_rounding_of_upsilon_is_no_proof(monkeypatch: pytest.MonkeyPatch) -> None:
     def rounded(*given: Any, **options: Any) -> None:
         raise InfeasibleError("S0 Z + B C0 - Z A0 - Z' = 0 cannot hold: its residual is 5.74e+14")
 
-    monkeypatch.setattr(reduced, "invariant_observer", rounded)
+    monkeypatch.setattr(reduced, "InvariantObserver", rounded)
     with pytest.raises(UndecidedError, match=r"decay = 2 is too large .*require less decay"):
-        design_reduced_order(MOTOR, decay=2.0)
+        ReducedOrderObserver.design(MOTOR, decay=2.0)
 
 
 def test_a_design_that_fails_its_own_audit_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -151,18 +151,18 @@ def test_a_design_that_fails_its_own_audit_is_undecided(monkeypatch: pytest.Monk
 
     monkeypatch.setattr(interconnected, "certified_design", failing)
     with pytest.raises(UndecidedError, match=r"the LMI has the eigenvalue 1.*require less decay"):
-        design_full_order(CART)
+        FullOrderObserver.design(CART)
 
 
 def test_the_gap_of_a_file_is_a_claim(capsys: pytest.CaptureFixture[str]) -> None:
-    design = design_full_order(CART)
+    design = FullOrderObserver.design(CART)
     document = json.loads(encoded(design))
     with pytest.raises(ParameterError, match=r"gap must be a number not below 0, .* received -5") as wrong:
         decoded(json.dumps({**document, "gap": -5}))
     assert wrong.value.field == "gap"
     print_audit(design, audit(design))
     assert "as stored, not recomputed" in " ".join(capsys.readouterr().out.split())
-    print_design("full-order", design)
+    print_design(design)
     assert "not recomputed" not in capsys.readouterr().out
     for stored, shown in ((1e9, None), (11.0, None), (9.5, 9.5), (None, None)):
         claimed = decoded(json.dumps({**document, "gap": stored}))

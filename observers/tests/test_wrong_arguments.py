@@ -12,6 +12,36 @@ import pytest
 import pointpred_observers as o
 from observers.tests.printed import check_map, check_observer
 from pointpred.errors import ParameterError, PointpredError
+from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.regulator import Regulator
+from pointpred_observers.plants.linear_systems import as_plant
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.thesis import (
+    assumption_3_2_2,
+    assumption_3_2_3,
+    assumption_4_4_2,
+    certify_convergence,
+    certify_tracking,
+    check_steady_state,
+    closed_loop,
+    design_state_feedback,
+    regulator_equations,
+    regulator_stage,
+    residuals,
+    sector_bounds,
+    theorem_3_2_1,
+    theorem_3_2_2,
+    theorem_3_2_3,
+    theorem_3_3_1,
+    theorem_3_3_2,
+    theorem_4_4_1,
+    undetectable,
+)
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
+from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 sp = pytest.importorskip("sympy")
 X1, X2, U, W1, W2 = sp.symbols("x1 x2 u w1 w2")
@@ -25,12 +55,12 @@ TRACKED = o.Generator([[-3.0]], [-2.0], [[1.0]], [2.0], [0.0], [-1.0])
 SYSTEM = o.SymbolicSystem((X1, X2), (-X1 + X2**2, -X2 + U), U, outputs=(X2,))
 CIRCLE = o.SymbolicGenerator((W1, W2), (W2, -W1))
 STEADY = o.interlaced(SYSTEM, CIRCLE, 1, W1, degree=2)
-REDUCED = o.design_reduced_order(PLANT, injection=True)
+REDUCED = o.design(PLANT, "reduced")
 BOX = o.Box({"k": (-3.0, -1.0)})
 VARYING = o.ParameterVaryingSystem(
     lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), [[1.0], [0.0]], np.eye(1, 2)
 )
-ERRORS = o.error_system(REDUCED)
+ERRORS = REDUCED.error_system()
 REGULATED = {"plant": SMALL, "regulator": TRACKED, "Pi": [[1.0]]}
 CHAIN = o.SymbolicSystem((X1, X2), (X2, (2 + X1) * U), U)
 
@@ -84,46 +114,46 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         o.steady_state_map,
         {"plant": PLANT, "generator": GENERATOR, "relaxed": False, "times": None, "tolerance": 1e-9},
     ),
-    (o.residuals, {"plant": PLANT, "generator": GENERATOR, "Pi": PI}),
+    (residuals, {"plant": PLANT, "generator": GENERATOR, "Pi": PI}),
     (
-        o.design_observer,
+        DrivenObserver.design,
         {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "gain": [[2.0]], "decay": 1.0},
     ),
     (
-        o.theorem_3_2_1,
+        theorem_3_2_1,
         {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "F": None},
     ),
-    (o.theorem_3_2_2, REGULATED),
-    (o.theorem_3_2_3, {**REGULATED, "sector": None}),
-    (o.assumption_3_2_2, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "decay": 0.5}),
-    (o.assumption_3_2_3, REGULATED),
-    (o.assumption_4_4_2, {"steady": STEADY, "region": {X2: (-1, 1)}, "decay": 0.5}),
-    (o.certify_tracking, {**REGULATED, "sector": None, "tolerance": 1e-6}),
+    (theorem_3_2_2, REGULATED),
+    (theorem_3_2_3, {**REGULATED, "sector": None}),
+    (assumption_3_2_2, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "decay": 0.5}),
+    (assumption_3_2_3, REGULATED),
+    (assumption_4_4_2, {"steady": STEADY, "region": {X2: (-1, 1)}, "decay": 0.5}),
+    (certify_tracking, {**REGULATED, "sector": None, "tolerance": 1e-6}),
     (
-        o.closed_loop,
+        closed_loop,
         {"plant": SMALL, "regulator": TRACKED, "t": 0.0, "both": np.zeros(2), "rho": None},
     ),
-    (o.sector_bounds, {"plant": PLANT, "Sigma1": [[1.0, 0.0], [0.0, 0.0]]}),
+    (sector_bounds, {"plant": PLANT, "Sigma1": [[1.0, 0.0], [0.0, 0.0]]}),
     (
-        o.design_reduced_order,
-        {"plant": PLANT, "Pi": [[0.0, 1.0]], "decay": 1.0, "injection": True},
+        ReducedOrderObserver.design,
+        {"plant": PLANT, "Pi": [[0.0, 1.0]], "decay": 1.0},
     ),
     (
         o.invariant_observer,
         {"plant": PLANT, "Pi": [[0.0, 1.0]], "Upsilon": [[0.0]], "B": None, "injection": True, "rates": None},
     ),
-    (o.invariant_stage, {"observer": REDUCED.observer, "start": [0, 0], "step_s": 1e-2}),
-    (o.certify_convergence, {"observer": REDUCED.observer, "decay": 0.5, "gamma": 0.5, "times": [0.0]}),
+    (REDUCED.stage, {"start": [0, 0], "step_s": 1e-2}),
+    (certify_convergence, {"observer": REDUCED.observer, "decay": 0.5, "gamma": 0.5, "times": [0.0]}),
     (
-        o.theorem_3_3_1,
+        theorem_3_3_1,
         {"observer": REDUCED.observer, "slopes": (0, 1), "gamma": 1.0, "F": None, "times": None},
     ),
-    (o.theorem_3_3_2, {"observer": REDUCED.observer, "slopes": (0, 1), "gamma": 1.0, "times": None}),
-    (o.theorem_4_4_1, {"a": [[0.0]], "c": [[1.0]]}),
-    (o.certify_interlaced, {"a": [[0.0]], "c": [[1.0]], "rate": 0.5, "gain": [[1.0]]}),
-    (o.undetectable, {"A": [[0.0]], "C": [[1.0]], "time": "continuous"}),
+    (theorem_3_3_2, {"observer": REDUCED.observer, "slopes": (0, 1), "gamma": 1.0, "times": None}),
+    (theorem_4_4_1, {"a": [[0.0]], "c": [[1.0]]}),
+    (certify_interlaced, {"a": [[0.0]], "c": [[1.0]], "decay": 0.5, "gain": [[1.0]]}),
+    (undetectable, {"A": [[0.0]], "C": [[1.0]], "time": "continuous"}),
     (o.invariant_zeros, {"a": np.eye(2), "f": np.eye(2, 1), "c": np.eye(1, 2)}),
-    (o.zeros_over, {"system": VARYING, "box": BOX}),
+    (o.invariant_zeros, {"a": VARYING, "f": BOX}),
     (o.Box, {"bounds": {"k": (0.0, 1.0)}}),
     (
         o.ParameterVaryingSystem,
@@ -137,19 +167,19 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
             "time": "continuous",
         },
     ),
-    (o.UnknownInputObserver.design, {"system": VARYING, "box": BOX, "sigma": 1.0, "output_rate": 5.0}),
+    (UnknownInputObserver.design, {"plant": VARYING, "box": BOX, "decay": 0.5, "output_decay": 5.0}),
     (
-        o.feedback,
+        o.interlaced,
         {
             "system": CHAIN,
             "generator": CIRCLE,
+            "upper": 0,
             "first": W1,
             "zero": None,
             "degree": 2,
             "region": {W1: (-1, 1), W2: (-1, 1)},
         },
     ),
-    (o.feedforward, {"system": SYSTEM, "generator": CIRCLE, "input": W1, "degree": 2, "zero": None}),
     (
         o.interlaced,
         {"system": SYSTEM, "generator": CIRCLE, "upper": 1, "first": W1, "degree": 2, "region": None},
@@ -157,8 +187,8 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (o.SymbolicGenerator, {"states": (W1, W2), "field": (W2, -W1)}),
     (o.SymbolicSystem, {"states": (X1, X2), "field": (-X1, U), "input": U, "zero": (), "outputs": (X1,)}),
     (
-        o.InterlacedObserver.design,
-        {"steady": STEADY, "rate": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
+        InterlacedObserver.design,
+        {"plant": STEADY, "decay": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
     ),
     (check_map, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "rounding": 0.1}),
     (
@@ -166,7 +196,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         {"plant": PLANT, "Pi": [[0.0, 1.0]], "Upsilon": [[0.0]], "printed": {"O": [[1.0]]}, "rounding": 0.1},
     ),
     (
-        o.check_steady_state,
+        check_steady_state,
         {
             "system": SYSTEM,
             "generator": CIRCLE,
@@ -177,13 +207,12 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         },
     ),
     (o.c2d, {"system": PLANT, "step_s": 0.1, "method": "zoh"}),
-    (o.as_plant, {"system": PLANT}),
-    (o.error_system, {"observer": REDUCED}),
+    (as_plant, {"system": PLANT}),
     (o.l2_gain, {"system": ERRORS}),
     (o.certify_decay, {"system": ERRORS, "decay": 0.5}),
-    (o.design_state_feedback, {"plant": PLANT, "decay": 1.0, "L1": [[0.0]]}),
+    (design_state_feedback, {"plant": PLANT, "decay": 1.0, "L1": [[0.0]]}),
     (
-        o.design_regulator,
+        Regulator.design,
         {
             "plant": SMALL,
             "decay": 1.0,
@@ -193,11 +222,15 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
             "following": None,
         },
     ),
-    (o.regulator_equations, {"plant": PLANT, "generator": GENERATOR, "following": ([[1.0, 0.0]], [[1.0]])}),
-    (o.observer_stage, {"design": o.design_observer(PLANT, GENERATOR, PI), "step_s": 0.1}),
-    (o.regulator_stage, {"plant": SMALL, "regulator": TRACKED, "start": [0]}),
+    (regulator_equations, {"plant": PLANT, "generator": GENERATOR, "following": ([[1.0, 0.0]], [[1.0]])}),
     (
-        o.PersidskiiObserver,
+        o.stage,
+        {"observer": o.design(PLANT, "driven", generator=GENERATOR, Pi=PI, decay=0.0), "step_s": 0.1},
+    ),
+    (o.design, {"plant": PLANT, "kind": "full", "decay": 1.0}),
+    (regulator_stage, {"plant": SMALL, "regulator": TRACKED, "start": [0]}),
+    (
+        PersidskiiStage,
         {
             "N": [[-1.0]],
             "L": [1.0],
@@ -205,12 +238,12 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
             "K": [1.0],
             "f": "tanh",
             "time": "continuous",
-            "missing": o.MissingInputs.held(1, 1, 1),
+            "missing": MissingInputs.held(1, 1, 1),
         },
     ),
     (
         o.trajectory,
-        {"field": lambda t, x: -x, "start": [1.0], "times": [0.0, 0.1], "integrator": "rk4", "step_s": 0.1},
+        {"field": lambda t, x: -x, "start": [1.0], "times": [0.0, 0.1], "time": "continuous", "step_s": 0.1},
     ),
     (
         o.simulate,
@@ -226,21 +259,15 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
             "seed": 1,
         },
     ),
-    (o.design_full_order, {"plant": PLANT, "decay": 1.0, "gain": [[3.0], [0.0]]}),
+    (FullOrderObserver.design, {"plant": PLANT, "decay": 1.0, "gain": [[3.0], [0.0]]}),
     (o.CornerSystem, {"box": BOX, "A": [[-1.0]], "F": [[1.0]], "C": [[1.0]], "rates": {}, "sizes": [1.0]}),
-    (o.audit, {"design": REDUCED}),
-    (o.SeededSignal, {"seed": 1, "size": 1, "amplitude": 1.0, "kind": "uniform", "period_s": 0.1}),
-    (o.convergence_bound, {"P": [[1.0]], "Xi": [[1.0]], "gamma": 1.0}),
-    (
-        o.interconnection_bound,
-        {"P": [[1.0]], "Theta": [[1.0]], "Gamma": [[1.0]], "Xi": [[1.0]], "time": "continuous", "G": [[1.0]]},
-    ),
+    (o.audit, {"observer": REDUCED}),
 ]
 
 
 SLOW = {
-    *(o.design_reduced_order, o.design_regulator, o.design_state_feedback, o.certify_convergence),
-    *(o.assumption_4_4_2, o.InterlacedObserver.design),
+    *(ReducedOrderObserver.design, Regulator.design, design_state_feedback, certify_convergence),
+    *(assumption_4_4_2, InterlacedObserver.design),
 }
 """Doors that take more than a second for all their arguments."""
 CASES = [
@@ -261,13 +288,13 @@ def test_no_argument_leads_to_a_raw_error(door: Callable[..., Any], right: dict[
 def test_a_plant_without_outputs_is_named() -> None:
     bare = o.Persidskii([[-1.0]], None, None, "sin", B=[1.0])
     with pytest.raises(ParameterError, match="an observer needs an output: give the plant C0 or C1"):
-        o.design_observer(bare, o.Generator([[0.0]], L0=[1.0]), [[1.0]])
+        o.design(bare, "driven", generator=o.Generator([[0.0]], L0=[1.0]), Pi=[[1.0]], decay=0.0)
 
 
 def test_matrices_and_regions_in_the_forms_that_people_write() -> None:
     fixed = o.ParameterVaryingSystem([[-1.0, 1.0], [0.0, -2.0]], [[1.0], [0.0]], [[1.0, 0.0]])
-    assert o.UnknownInputObserver.design(fixed, o.Box({"any": (0.0, 1.0)}), 0.5).certificate.margin > 0.0
+    assert UnknownInputObserver.design(fixed, o.Box({"any": (0.0, 1.0)}), 0.5).certificate.margin > 0.0
     for region in ({W1: (-1.0, 1.0), "w2": (-1.0, 1.0)}, [(-1.0, 1.0), (-1.0, 1.0)]):
-        assert o.feedback(CHAIN, CIRCLE, W1, region=region).exact
+        assert o.interlaced(CHAIN, CIRCLE, 0, W1, region=region).exact
     with pytest.raises(ParameterError, match="region needs w2, received"):
-        o.feedback(CHAIN, CIRCLE, W1, region={W1: (-1.0, 1.0)})
+        o.interlaced(CHAIN, CIRCLE, 0, W1, region={W1: (-1.0, 1.0)})

@@ -31,8 +31,10 @@ TESTS = (
 OBSERVERS = (
     "camera/test_point_filter.py",
     "camera/test_depth.py",
+    "camera/test_gravity.py",
     "test_persidskii_stage.py",
     "test_regressors.py",
+    "test_unknown_input_stage.py",
 )
 RUN = """
 import sys

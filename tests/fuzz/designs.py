@@ -6,7 +6,7 @@ from functools import cache
 
 from observers.tests import kept_designs as kept
 from pointpred.errors import PointpredError
-from pointpred_observers.documents.files import decoded, encoded
+from pointpred_observers.files import decoded, encoded
 from tests.fuzz.refusals import refused
 
 NAME = "input.json"

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from math import ceil, nan
+from math import ceil
 from typing import Annotated, NamedTuple
 
-import msgspec
 import numpy as np
 
 from pointpred.columns import Columns
@@ -13,11 +12,18 @@ from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
-from pointpred.records import FloatTable
-from pointpred.stage import loop_of
-from pointpred_observers.camera.camera_stage import LARGEST_PX, SUBSTEP_S, CameraStage, sample_at, usable
+from pointpred.records import FloatArray, FloatTable
+from pointpred.stage import loop_into
 from pointpred_observers.camera.model import SCHEDULED, C
-from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
+from pointpred_observers.camera.samples import (
+    FOCAL_PX,
+    LARGEST_PX,
+    SUBSTEP_S,
+    CameraColumns,
+    CameraSample,
+    CameraStage,
+    usable,
+)
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 LARGEST_RATE = 1e3
@@ -25,13 +31,13 @@ LARGEST_RATE = 1e3
 
 
 class Settings(Layout):
-    """Focal length, half of sigma, start of chi and eta, longest silence; the certificate's box.
+    """Focal length, the design's decay, start of chi and eta, longest silence; the certificate's box.
 
     The box has the bounds, low and high, of the zero of chi, eta, a_z, w_x, w_y.
     """
 
     focal_px: float
-    half_sigma: float
+    decay: float
     start_chi: float
     start_eta: float
     gap_s: float
@@ -130,15 +136,12 @@ def inside(memory: Memory, zero: float, eta: float) -> bool:
 
 
 @law
-def step(
-    memory: Memory, sample: tuple[float, float, float, float, float, float, float, float, float]
-) -> tuple[float, float, float, float, float, float, float]:
-    """One ``SampleRow``: t, chi, eta, the zero of chi, detectable, certified, whether there was an image."""
+def step(memory: Memory, row: FloatArray, out: FloatArray) -> None:
+    """One sample; a ``Depth`` into ``out``, which is NaN before."""
     settings, s = memory.settings, memory.state
-    row = SampleRow(*sample)
-    if not usable(row, s.started, s.t, settings.gap_s):
-        return nan, nan, nan, nan, 0.0, 0.0, 0.0
-    t, x, y, wx, wy, wz, _, _, az = row
+    t, x, y, wx, wy, wz, az = row[0], row[1], row[2], row[3], row[4], row[5], row[8]
+    if not usable(CameraSample(t, x, y, wx, wy, wz, row[6], row[7], az), s.started, s.t, settings.gap_s):
+        return
     image = x == x
     flat_x = x / settings.focal_px if image else s.x
     flat_y = y / settings.focal_px if image else s.y
@@ -151,20 +154,21 @@ def step(
     s.started = 1.0
     s.t, s.x, s.y = t, flat_x, flat_y
     s.wx, s.wy, s.wz, s.az = wx, wy, wz, az
+    out[0], out[4], out[5], out[6] = t, 0.0, 0.0, 1.0 if image else 0.0
     if s.imaged == 0.0 or s.lost == 1.0:
-        return t, nan, nan, nan, 0.0, 0.0, 1.0 if image else 0.0
+        return
     eta = s.r - wy * flat_x + wx * flat_y
     zero = flat_y * wx - flat_x * wy + eta
-    decays = zero < -settings.half_sigma and eta < -settings.half_sigma
-    proved = inside(memory, zero, eta)
-    return t, s.chi, eta, zero, 1.0 if decays else 0.0, 1.0 if proved else 0.0, 1.0 if image else 0.0
+    out[1], out[2], out[3] = s.chi, eta, zero
+    out[4] = 1.0 if zero < -settings.decay and eta < -settings.decay else 0.0
+    out[5] = 1.0 if inside(memory, zero, eta) else 0.0
 
 
-class Depth(msgspec.Struct, frozen=True):
+class Depth(NamedTuple):
     """The observer's estimate after a sample.
 
     ``chi`` = 1/Z 1/m, ``eta`` = v_z/Z 1/s and ``zero`` = y w_x - x w_y + eta 1/s, NaN before the first image
-    and when the estimate is lost; ``detectable`` while both zeros, as estimated, lie below -sigma/2;
+    and when the estimate is lost; ``detectable`` while both zeros, as estimated, lie below -decay;
     ``certified`` while they and the measured quantities lie in the box of the design as well.
     """
 
@@ -180,11 +184,10 @@ class Depth(msgspec.Struct, frozen=True):
 class DepthColumns(Columns[Depth]):
     """Depths as columns."""
 
-    names = ("t", "chi", "eta", "zero", "detectable", "certified", "image")
+    names = Depth._fields
 
     def _record(self, row: list[float]) -> Depth:
-        t, chi, eta, zero, detectable, certified, image = row
-        return Depth(t, chi, eta, zero, bool(detectable), bool(certified), bool(image))
+        return Depth(row[0], row[1], row[2], row[3], row[4] == 1.0, row[5] == 1.0, row[6] == 1.0)
 
 
 class DepthObserver(CameraStage):
@@ -202,8 +205,8 @@ class DepthObserver(CameraStage):
     accelerometer is needed. Without an image x and y keep their last values.
 
     Parameters: ``focal_px`` px; ``start_chi`` 1/m and ``start_eta`` 1/s; ``gap_s`` s, the longest silence
-    that is bridged; ``observer``, a design for ``camera_system`` whose sigma and box define the flags:
-    without one sigma is 0 and ``certified`` is false. Memory: 27 floats. Returns a Depth from ``update``,
+    that is bridged; ``observer``, a design for ``camera_system`` whose decay and box define the flags:
+    without one the decay is 0 and ``certified`` is false. Memory: 27 floats. Returns a Depth from ``update``,
     DepthColumns from ``run``. Raises ParameterError; EventError and EventOrderError from ``update`` and
     ``run``.
 
@@ -224,15 +227,15 @@ class DepthObserver(CameraStage):
     )
     observer: UnknownInputObserver | None = option("a design to speak of in the flags", default=None)
     states = State.length
-    width = 7
-    loop = staticmethod(loop_of(step, sample_at))
+    width = len(Depth._fields)
+    loop = staticmethod(loop_into(step))
     step = staticmethod(step)
     layout = Memory
 
     @property
-    def half_sigma(self) -> float:
-        """Half of the design's sigma in 1/s; 0 without one."""
-        return 0.0 if self.observer is None else 0.5 * self.observer.certificate.sigma
+    def decay(self) -> float:
+        """The design's decay in 1/s; 0 without one."""
+        return 0.0 if self.observer is None else self.observer.decay
 
     def settings(self) -> list[float]:
         """The beginning of the memory."""
@@ -241,16 +244,15 @@ class DepthObserver(CameraStage):
             bounds = _camera_bounds(self.observer)
             box = [bound for name in SCHEDULED[:5] for bound in bounds[name]]
         start = [float(self.start_chi), float(self.start_eta)]
-        return [float(self.focal_px), self.half_sigma, *start, float(self.gap_s), *box]
+        return [float(self.focal_px), self.decay, *start, float(self.gap_s), *box]
 
     def update(self, sample: CameraSample, /) -> Depth:
         """Consume one sample; a refused one changes nothing."""
-        t, chi, eta, zero, detectable, certified, image = self.advance(sample)
-        return Depth(t, chi, eta, zero, detectable == 1.0, certified == 1.0, image == 1.0)
+        return DepthColumns(self.advance(sample)[None])[0]
 
     def run(self, columns: CameraColumns) -> DepthColumns:
         """Consume a table; when a row is refused the error names it and nothing is consumed."""
-        return DepthColumns(self.table(columns))
+        return DepthColumns(self.table(columns.table))
 
 
 def _camera_bounds(observer: UnknownInputObserver) -> dict[str, tuple[float, float]]:

@@ -13,8 +13,8 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.unknown_input.boxes import Box
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.varying import ParameterVaryingSystem
 
 C = np.eye(2, 4)
 """The image gives x and y of (x, y, chi, eta)."""
@@ -25,29 +25,6 @@ SCHEDULED = ("zero", "eta", "a_z", "w_x", "w_y", "dw_x", "dw_y")
 def interaction(x: float, y: float) -> FloatArray:
     """The effect of the angular velocity on an image point: the last three columns of (8)."""
     return np.array([[x * y, -(1.0 + x * x), y], [1.0 + y * y, -x * y, -x]])
-
-
-def point_rate(x: float, y: float, chi: float, v: FloatArray, w: FloatArray) -> FloatArray:
-    """(x, y)' by (8).
-
-    >>> point_rate(0.5, 0.0, 0.25, np.array([0.0, 0.0, 2.0]), np.zeros(3)).tolist()
-    [0.25, 0.0]
-    """
-    rate: FloatArray = interaction(x, y) @ w + chi * (np.array([x, y]) * v[2] - v[:2])
-    return rate
-
-
-def depth_rate(
-    x: float, y: float, chi: float, eta: float, v: FloatArray, w: FloatArray, a: FloatArray
-) -> FloatArray:
-    """(chi, eta)' by (12): four of the six signs of eta' differ from the print."""
-    turn = y * w[0] - x * w[1]
-    return np.array(
-        [
-            chi * (eta + turn),
-            a[2] * chi + w[1] * v[0] * chi - w[0] * v[1] * chi + eta * eta + turn * eta,
-        ]
-    )
 
 
 def dynamics(point: Mapping[str, float]) -> FloatArray:

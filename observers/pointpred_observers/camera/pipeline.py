@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 from math import nan
 from typing import Self
 
@@ -14,16 +13,16 @@ from pointpred.errors import EventError
 from pointpred_observers.camera.depth import Depth, DepthColumns, DepthObserver
 from pointpred_observers.camera.point_filter import PointEstimate, PointFilter
 from pointpred_observers.camera.samples import CameraColumns, CameraSample
-from pointpred_observers.camera.velocity import FED_FORWARD, UnknownInputs, velocities
+from pointpred_observers.camera.velocity import UnknownInputFilter, velocities
 
 SURE = 2.0
-"""Standard deviations by which the filter's eta must exceed -sigma/2 to clear ``detectable``."""
+"""Standard deviations by which the filter's eta must exceed -decay to clear ``detectable``."""
 
 
 class CameraEstimate(msgspec.Struct, frozen=True):
     """Estimates after a sample: the observer's depth and velocity, and the Kalman filter's (``peer``).
 
-    ``detectable``: the observer's own zeros lie below -sigma/2 and the filter does not contradict. If it is
+    ``detectable``: the observer's own zeros lie below -decay and the filter does not contradict. If it is
     false the observer's errors do not decay: use ``peer`` if it is not ``None``.
     """
 
@@ -62,19 +61,16 @@ class CameraPipeline:
     """A ``Stage[CameraSample, CameraEstimate]``: the unknown input observer with the filter as a check.
 
     The observer alone cannot distinguish an approaching from a receding camera if it was started with the
-    wrong sign. The filter can, once the images determine the depth: if its eta lies above -sigma/2 by two
+    wrong sign. The filter can, once the images determine the depth: if its eta lies above -decay by two
     standard deviations, ``detectable`` is false whatever the observer's estimate.
 
-    Parameters: ``observer``; ``peer``; ``way``, how (x, y)' is computed, one of ``velocity.WAYS``;
-    ``noise_px`` px, the standard deviation of the image. Raises EventError and EventOrderError and is then
-    unchanged.
+    Parameters: ``observer``; ``peer``; ``noise_px`` px, the standard deviation of the image, for the filter
+    of the velocity. Raises EventError and EventOrderError and is then unchanged.
     """
 
-    def __init__(
-        self, observer: DepthObserver, peer: PointFilter, *, way: str = FED_FORWARD, noise_px: float = 1.0
-    ) -> None:
+    def __init__(self, observer: DepthObserver, peer: PointFilter, *, noise_px: float = 1.0) -> None:
         self.observer, self.peer = observer, peer
-        self.unknown = UnknownInputs(way, focal_px=observer.focal_px, noise_px=noise_px)
+        self.unknown = UnknownInputFilter(focal_px=observer.focal_px, noise_px=noise_px)
 
     def reset(self) -> None:
         """Forget every sample."""
@@ -83,9 +79,7 @@ class CameraPipeline:
 
     def fresh(self) -> Self:
         """The same parameters, without memory."""
-        twin = copy.deepcopy(self)
-        twin.reset()
-        return twin
+        return type(self)(self.observer.fresh(), self.peer.fresh(), noise_px=self.unknown.noise_px)
 
     def update(self, sample: CameraSample, /) -> CameraEstimate:
         """Consume one sample; a refused one changes nothing."""
@@ -97,26 +91,28 @@ class CameraPipeline:
         finally:
             if not accepted:
                 self.observer.recall(memory)
-        d = self.unknown.update(sample, depth.eta)
-        row = DepthColumns([[depth.t, depth.chi, depth.eta, depth.zero, 0.0, 0.0, 0.0]])
+        d = self.unknown.update(sample, depth.eta)[:2]
+        row = DepthColumns([depth])
         vx, vy, vz = velocities(np.array([d]), row)[0].tolist()
         return CameraEstimate(depth, (vx, vy, vz), depth.detectable and not self._denied(peer), peer)
 
     def run(self, samples: CameraColumns) -> CameraTable:
         """Consume a table; when a row is refused the error names it and nothing is consumed."""
-        rows, before = [], copy.deepcopy((self.observer, self.peer, self.unknown))
-        for number, sample in enumerate(samples.samples()):
+        rows, stages = [], (self.observer, self.peer, self.unknown)
+        before = [stage.remembered() for stage in stages]
+        for number, sample in enumerate(samples):
             try:
                 rows.append(_row(self.update(sample)))
             except EventError as refused:
-                self.observer, self.peer, self.unknown = before
+                for stage, memory in zip(stages, before, strict=True):
+                    stage.recall(memory)
                 raise type(refused)(
                     f"row {number}: {refused}", field=refused.field, value=refused.value
                 ) from refused
         return CameraTable(np.array(rows).reshape(-1, len(CameraTable.names)))
 
     def _denied(self, peer: PointEstimate | None) -> bool:
-        return peer is not None and peer.eta - SURE * peer.eta_spread > -self.observer.half_sigma
+        return peer is not None and peer.eta - SURE * peer.eta_spread > -self.observer.decay
 
 
 def _row(one: CameraEstimate) -> tuple[float, ...]:

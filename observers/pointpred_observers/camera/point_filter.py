@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from math import nan, sqrt
-from typing import Annotated, Any
+from math import sqrt
+from typing import Annotated
 
 import msgspec
 import numpy as np
@@ -11,11 +11,16 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.parameter import parameter
-from pointpred.records import BoolArray, FloatArray, Row
+from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import loop_into
-from pointpred_observers.camera import kinematics, starting
-from pointpred_observers.camera.camera_stage import CameraStage, usable
-from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample, SampleRow
+from pointpred_observers.camera import kinematics
+from pointpred_observers.camera.samples import (
+    FOCAL_PX,
+    CameraColumns,
+    CameraSample,
+    CameraStage,
+    usable,
+)
 
 NEAREST_M = 1e-4
 """The filter restarts if the point comes closer than this or goes behind the camera."""
@@ -51,7 +56,7 @@ class State(Layout):
     spread: kinematics.Matrix
     column: Annotated[FloatArray, 6]
     """Space for a correction."""
-    start: starting.State
+    start: kinematics.Start
 
 
 class Memory(Layout):
@@ -109,11 +114,11 @@ def look(memory: Memory, x: float, y: float) -> None:
     """Process an image: correct the state, or initialise it."""
     settings, s = memory.settings, memory.state
     if s.mode == WAITING:
-        starting.begin(s.start)
+        kinematics.begin_start(s.start)
         s.mode = STARTING
     if s.mode == STARTING:
-        starting.take(s.start, x, y, settings.noise)
-        if starting.start(s.start, s.state, s.spread, settings.noise, settings.share):
+        kinematics.take_image(s.start, x, y, settings.noise)
+        if kinematics.started(s.start, s.state, s.spread, settings.noise, settings.share):
             s.mode = RUNNING
         return
     predicted = s.state[0], s.state[1], s.state[2]
@@ -124,10 +129,10 @@ def look(memory: Memory, x: float, y: float) -> None:
 
 @law
 def step(memory: Memory, row: FloatArray, out: Answer) -> None:
-    """One ``SampleRow``: t, (p, v), covariance, restarts and running into ``out``, which is NaN before."""
+    """One ``CameraSample``: t, (p, v), covariance, restarts and running into ``out``, which is NaN before."""
     t, x, y, wx, wy, wz, ax, ay, az = row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8]
     settings, s = memory.settings, memory.state
-    if not usable(SampleRow(t, x, y, wx, wy, wz, ax, ay, az), s.started, s.t, settings.gap_s):
+    if not usable(CameraSample(t, x, y, wx, wy, wz, ax, ay, az), s.started, s.t, settings.gap_s):
         return
     if s.mode != WAITING:
         predict(memory, t - s.t, (wx, wy, wz), (ax, ay, az))
@@ -146,13 +151,6 @@ def step(memory: Memory, row: FloatArray, out: Answer) -> None:
             for j in range(6):
                 out.spread.m[i, j] = s.spread.m[i, j]
         out.running = 1.0
-
-
-def answer(memory: Any, sample: Row) -> Any:
-    """``step`` for one sample without a table."""
-    out: Any = np.full(Answer.length, nan)
-    step(memory, np.array(sample), out)
-    return out
 
 
 class PointEstimate(msgspec.Struct, frozen=True):
@@ -197,12 +195,6 @@ class PointTrack(msgspec.Struct, frozen=True):
     running: BoolArray
     restarts: int
 
-    def at(self, row: int) -> PointEstimate | None:
-        """One row as a record, ``None`` before the filter started."""
-        if not self.running[row]:
-            return None
-        return PointEstimate(float(self.t[row]), self.state[row], self.covariance[row], self.restarts)
-
 
 class PointFilter(CameraStage):
     """Extended Kalman filter of (p, v) from a tracked point, a gyroscope and an accelerometer.
@@ -224,8 +216,7 @@ class PointFilter(CameraStage):
 
     Reference: Bar-Shalom, Li, Kirubarajan 2001, section 10.3 (extended Kalman filter) and 5.4 (consistency).
 
-    >>> from pointpred_observers.camera.samples import simulate
-    >>> from pointpred_observers.camera.scenario import SCENARIOS
+    >>> from pointpred_observers.camera import SCENARIOS, simulate
     >>> samples, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=5.0)
     >>> track = PointFilter(focal_px=800.0, noise_px=0.1).run(samples)
     >>> bool(abs(track.state[-1, 2] - truth.p[-1, 2]) < 5e-3)
@@ -252,7 +243,7 @@ class PointFilter(CameraStage):
     width = Answer.length
     layout = Memory
     loop = staticmethod(loop_into(step))
-    step = staticmethod(answer)
+    step = staticmethod(step)
 
     def settings(self) -> list[float]:
         """The beginning of the memory, with variances instead of standard deviations."""
@@ -269,7 +260,7 @@ class PointFilter(CameraStage):
 
     def run(self, columns: CameraColumns) -> PointTrack:
         """Consume a table; a refused row raises its error and nothing is consumed."""
-        out = self.table(columns)
+        out = self.table(columns.table)
         t, state, covariance, restarts, running = np.split(out, (1, 7, 43, 44), axis=1)
         restarted = int(restarts[-1, 0]) if len(out) else 0
         return PointTrack(t[:, 0], state, covariance.reshape(-1, 6, 6), running[:, 0] == 1.0, restarted)

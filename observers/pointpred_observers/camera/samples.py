@@ -1,49 +1,32 @@
-"""Samples of a camera with an inertial sensor: records, columns, and simulation from a trajectory."""
+"""Samples of a camera with an inertial sensor: records, columns, and the stages on them."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from math import nan
+from typing import Any, ClassVar, NamedTuple
 
-import msgspec
 import numpy as np
 
 from pointpred.columns import Columns
-from pointpred.errors import ParameterError
-from pointpred.parameter import Parameter, check, is_number
-from pointpred_observers.camera.scenario import Scenario, Trajectory, trajectory
+from pointpred.compiled import law
+from pointpred.errors import EventError, EventOrderError
+from pointpred.parameter import is_number
+from pointpred.records import LATEST_S, FloatArray
+from pointpred.stage import CompiledStage
 
 FOCAL_PX = (1.0, 1e6)
-FOCAL = Parameter("focal_px", "px", *FOCAL_PX, "focal length: image plane to px")
-NOISE = (
-    Parameter("noise_px", "px", 0.0, 1e3, "pixel noise, uniform in +-noise_px"),
-    Parameter("gyro_noise", "rad/s/sqrt(Hz)", 0.0, 1.0, "density of the gyroscope's white noise"),
-    Parameter("accel_noise", "m/s^2/sqrt(Hz)", 0.0, 10.0, "density of the accelerometer's white noise"),
-    Parameter("dropped", "", 0.0, 1.0, "share of the images that are missing"),
-)
-ROWS_MOST = 10_000_000
-"""Most samples of one simulation: about a gigabyte."""
+LARGEST_PX, LARGEST_W, LARGEST_A = 1e6, 1e3, 1e4
+"""Bounds on positions px, angular velocities rad/s and accelerations m/s^2."""
+SUBSTEP_S = 0.05
+"""Longest step of an integration."""
 
 
-class CameraSample(msgspec.Struct, frozen=True):
+class CameraSample(NamedTuple):
     """A reading of the inertial sensor, with the tracked point if an image was taken at that time.
 
-    ``t`` s; ``x y`` px from the principal point, x right, y down, ``None`` without an image; ``wx wy wz``
-    rad/s; ``ax ay az`` m/s^2 of the motion in the camera's frame, gravity already removed (10).
+    ``t`` s; ``x y`` px from the principal point, x right, y down, both NaN without an image; ``wx wy wz``
+    rad/s; ``ax ay az`` m/s^2 of the motion in the camera's frame, gravity already removed (10): ``Gravity``.
     """
-
-    t: float
-    x: float | None
-    y: float | None
-    wx: float
-    wy: float
-    wz: float
-    ax: float
-    ay: float
-    az: float
-
-
-class SampleRow(NamedTuple):
-    """A ``CameraSample`` as a row of floats; x and y are NaN where there is no image."""
 
     t: float
     x: float
@@ -59,105 +42,93 @@ class SampleRow(NamedTuple):
 class CameraColumns(Columns[CameraSample]):
     """Camera samples as columns; x and y are NaN where there is no image."""
 
-    names = SampleRow._fields
-
-    def samples(self) -> list[CameraSample]:
-        """The rows as records."""
-        return list(self)
+    names = CameraSample._fields
 
     def _record(self, row: list[float]) -> CameraSample:
-        t, x, y, *rest = row
-        return CameraSample(t, x if x == x else None, y if y == y else None, *rest)
+        return CameraSample(*row)
 
 
-class Noise(msgspec.Struct, frozen=True):
-    """Errors of a simulated sensor; all zero by default.
+@law
+def usable(sample: CameraSample, started: float, last_t: float, gap_s: float) -> bool:
+    """Whether a sample can be used: within the bounds, after the last one and within the longest gap."""
+    t, x, y, wx, wy, wz, ax, ay, az = sample
+    if not (abs(t) <= LATEST_S and abs(wx) <= LARGEST_W and abs(wy) <= LARGEST_W and abs(wz) <= LARGEST_W):
+        return False
+    if not (abs(ax) <= LARGEST_A and abs(ay) <= LARGEST_A and abs(az) <= LARGEST_A):
+        return False
+    if not ((x != x and y != y) or (abs(x) <= LARGEST_PX and abs(y) <= LARGEST_PX)):
+        return False
+    return started != 1.0 or (last_t < t <= last_t + gap_s)
 
-    ``noise_px``: uniform in +-noise_px, as in the paper (standard deviation noise_px / sqrt(3));
-    ``normal``: normal noise of that standard deviation instead. Biases are constant, one number per axis.
+
+class CameraStage(CompiledStage):
+    """A stage whose rows are camera samples.
+
+    A subclass names its law ``step(memory, row, out)``, which leaves out[0] NaN where it refuses a row, and
+    its ``layout``, with ``started`` and ``t`` in the state and ``gap_s`` in the settings.
     """
 
-    noise_px: float = 0.0
-    normal: bool = False
-    gyro_noise: float = 0.0
-    accel_noise: float = 0.0
-    gyro_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    accel_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    dropped: float = 0.0
+    layout: ClassVar[Any]
 
+    def advance(self, sample: CameraSample, more: tuple[float, ...] = ()) -> Any:
+        """The row of answers to one sample; raises EventError or EventOrderError and then changes nothing."""
+        values = _numbers(sample) + more
+        out = np.full(self.width, nan)
+        type(self).step(self._memory, np.array(values), out)
+        if out[0] != out[0]:
+            raise self._reason(values, self._last())
+        return out
 
-def simulate(
-    scenario: Scenario,
-    *,
-    focal_px: float,
-    duration_s: float = 10.0,
-    image_hz: float = 33.0,
-    readings: int = 1,
-    noise: Noise | None = None,
-    seed: int = 0,
-) -> tuple[CameraColumns, Trajectory]:
-    """Samples of a scenario, and the truth at the same times.
+    def table(self, rows: FloatArray) -> FloatArray:
+        """The rows of answers to a table; a refused row raises its error and nothing is consumed."""
+        before = self.remembered()
+        out = self.walk(np.zeros(len(rows), np.bool_), rows)
+        refused = out[:, 0] != out[:, 0]
+        if refused.any():
+            row = int(refused.argmax())
+            self.recall(before)
+            last_t = float(rows[row - 1, 0]) if row else self._last()
+            reason = self._reason(tuple(rows[row].tolist()), last_t)
+            raise type(reason)(f"row {row}: {reason}", field=reason.field, value=reason.value)
+        return out
 
-    ``focal_px`` converts px of noise to radians; it is required because the paper does not state it.
-    ``readings`` of the inertial sensor per image; 1e7 samples at most. The first sample always has an image.
-    Raises ParameterError.
+    def _last(self) -> float | None:
+        state = self.layout(self._memory).state
+        return float(state.t) if state.started == 1.0 else None
 
-    >>> from pointpred_observers.camera.scenario import SCENARIOS
-    >>> samples, truth = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=1.0)
-    >>> len(samples), float(truth.chi[0])
-    (34, 1.0)
-    """
-    for name, value in (("duration_s", duration_s), ("image_hz", image_hz)):
-        if not (is_number(value) and 0.0 < value <= 1e6):
-            raise ParameterError(f"{name} must lie in (0, 1e6], received {value!r}", field=name, value=value)
-    if isinstance(readings, bool) or not isinstance(readings, int) or not 1 <= readings <= 1000:
-        raise ParameterError(
-            f"readings must be a whole number in [1, 1000], received {readings!r}",
-            field="readings",
-            value=readings,
+    def _reason(self, values: tuple[float, ...], last_t: float | None) -> EventError:
+        bounds = (LATEST_S, LARGEST_PX, LARGEST_PX, *[LARGEST_W] * 3, *[LARGEST_A] * 3)
+        missing = [one != one for one in values[1:3]]
+        if any(missing) and not all(missing):
+            return EventError(
+                f"x and y come together or not at all, received {values[1]!r} and {values[2]!r}"
+            )
+        for name, value, most in zip(CameraColumns.names, values, bounds, strict=False):
+            if not abs(value) <= most and not (name in "xy" and all(missing)):
+                return EventError(
+                    f"{name} must lie in [{-most:g}, {most:g}], received {value!r}", field=name, value=value
+                )
+        t = values[0]
+        if last_t is not None and t <= last_t:
+            return EventOrderError(
+                f"t must increase: received {t!r} s after {last_t!r} s", field="t", value=t
+            )
+        gap_s = float(self.layout(self._memory).settings.gap_s)
+        return EventError(
+            f"the inertial sensor was silent from {last_t!r} s to {t!r} s, at most {gap_s:g} s are "
+            "bridged: reset and begin anew",
+            field="t",
+            value=t,
         )
-    _check_seed(seed)
-    rate_hz = image_hz * readings
-    if duration_s * rate_hz > ROWS_MOST:
-        product = f"{duration_s:g} s x {image_hz:g} images/s x {readings} readings"
-        raise ParameterError(
-            f"at most {ROWS_MOST:.0e} samples can be simulated, received {product}",
-            field="duration_s",
-            value=duration_s,
-        )
-    t = np.arange(round(duration_s * rate_hz) + 1) / rate_hz
-    truth = trajectory(scenario, t)
-    return observed(truth, focal_px=focal_px, readings=readings, noise=noise, seed=seed), truth
 
 
-def observed(
-    truth: Trajectory, *, focal_px: float, readings: int = 1, noise: Noise | None = None, seed: int = 0
-) -> CameraColumns:
-    """Sensor samples along a trajectory sampled at equal intervals, with an image every ``readings`` rows.
-
-    The same seed gives the same samples. Raises ParameterError.
-    """
-    _check_seed(seed)
-    noise = noise or Noise()
-    check((FOCAL, *NOISE), {"focal_px": focal_px, **{p.name: getattr(noise, p.name) for p in NOISE}})
-    random = np.random.default_rng(seed)
-    rows, rate_hz = len(truth.t), 1.0 / (truth.t[1] - truth.t[0])
-    if noise.normal:
-        pixels = random.normal(0.0, noise.noise_px / np.sqrt(3.0), (rows, 2))
-    else:
-        pixels = random.uniform(-noise.noise_px, noise.noise_px, (rows, 2))
-    image = focal_px * truth.image + pixels
-    taken = np.arange(rows) % readings == 0
-    taken[1:] &= random.uniform(size=rows - 1) >= noise.dropped
-    image[~taken] = np.nan
-    spread = np.sqrt(rate_hz)
-    gyro = truth.w + noise.gyro_bias + spread * noise.gyro_noise * random.normal(size=(rows, 3))
-    accel = truth.a + noise.accel_bias + spread * noise.accel_noise * random.normal(size=(rows, 3))
-    return CameraColumns(np.column_stack([truth.t, image, gyro, accel]))
-
-
-def _check_seed(seed: int) -> None:
-    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
-        raise ParameterError(
-            f"seed must be a whole number not below 0, received {seed!r}", field="seed", value=seed
-        )
+def _numbers(sample: CameraSample) -> CameraSample:
+    """A sample as plain numbers."""
+    if not isinstance(sample, CameraSample):
+        raise EventError(f"a sample must be a CameraSample, received {sample!r:.80}")
+    if set(map(type, sample)) == {float}:
+        return sample
+    for name, value in zip(CameraColumns.names, sample, strict=True):
+        if not is_number(value):
+            raise EventError(f"{name} must be a number, received {value!r}", field=name, value=value)
+    return CameraSample(*map(float, sample))

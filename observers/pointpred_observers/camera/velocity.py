@@ -1,35 +1,196 @@
-"""The camera's velocity from the observer's depth, equations (40) to (42), by any differentiator."""
+"""The camera's velocity from the observer's depth, equations (40) to (42): a filter of the unknown input."""
 
 from __future__ import annotations
 
 from math import nan
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
-from pointpred.differentiators import DIFFERENTIATORS, Differentiator
-from pointpred.errors import ParameterError
-from pointpred.parameter import Parameter, check
-from pointpred.records import METRES_PER_INCH, FloatArray, PointerEvent
+from pointpred.compiled import law
+from pointpred.errors import EventError
+from pointpred.layout import Layout
+from pointpred.parameter import parameter
+from pointpred.records import LATEST_S, FloatArray, FloatTable
+from pointpred.stage import CompiledStage, loop_of
 from pointpred_observers.camera.depth import DepthColumns
-from pointpred_observers.camera.samples import FOCAL, CameraColumns, CameraSample
-from pointpred_observers.camera.unknown_input_filter import UnknownInputFilter, flow
+from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample
 
-NOISE_PX = Parameter("noise_px", "px", 1e-3, 1e3, "standard deviation of a coordinate in the image")
 FLOOR = 1e-4
 """chi at or below this (a depth of 10 km) is invalid: the velocity is then NaN, never clipped."""
-FED_FORWARD = "kalman-two-state"
-DPI = 96.0
-"""Image pixels are treated as pixels of a screen of this resolution, in which differentiators are tuned."""
-GAPS = {"dpi": DPI, "gap_s": 2.0, "pause_s": 5.0}
-"""Settings of all differentiators; the gaps (s) are long, so that missing images are bridged."""
-CALM: dict[str, dict[str, Any]] = {
-    "homogeneous": {"order": 3, "gain_lambda": 2.0, "gain_xi": 1.5, "alpha": -0.1, "step_s": 0.004},
-    "kalman": {"jerk_density": 1e-3, "noise_m": 1e-3},
-}
-"""Settings for a camera at 33 images a second, the best of a small grid with 4 px of noise."""
-WAYS = (*DIFFERENTIATORS, *(f"{name}, calm" for name in CALM), FED_FORWARD)
-"""Methods for d: each differentiator, those tuned for a camera, the two-state filter."""
+SPREAD_START = 1.0
+"""Standard deviation of d before the first image, 1/s."""
+
+
+class Settings(Layout):
+    """The variance of an image, the density of the unknown input's rate in 1/s^3."""
+
+    noise: float
+    density: float
+
+
+class State(Layout):
+    """The time; of the last image the position, d and the known part of its motion, 1/s.
+
+    ``p00 p01 p11`` is the covariance of a position and d, which both axes share.
+    """
+
+    started: float
+    t: float
+    imaged: float
+    x: float
+    y: float
+    dx: float
+    dy: float
+    kx: float
+    ky: float
+    p00: float
+    p01: float
+    p11: float
+
+
+class Memory(Layout):
+    """The settings, then the state."""
+
+    settings: Settings
+    state: State
+
+
+class FlowRow(NamedTuple):
+    """``t`` s; the point ``x y`` in focal lengths, NaN without an image; ``eta`` 1/s; ``wx wy wz`` rad/s."""
+
+    t: float
+    x: float
+    y: float
+    eta: float
+    wx: float
+    wy: float
+    wz: float
+
+
+@law
+def flow(x: float, y: float, eta: float, wx: float, wy: float, wz: float) -> tuple[float, float]:
+    """The known part of the image's motion: (x, y) eta + B w; the rest of (x, y)' is -d."""
+    flow_x = x * eta + x * y * wx - (1.0 + x * x) * wy + y * wz
+    flow_y = y * eta + (1.0 + y * y) * wx - x * y * wy - x * wz
+    return flow_x, flow_y
+
+
+@law
+def predict(s: State, density: float, eta: float, wx: float, wy: float, wz: float, h: float) -> None:
+    """Y' = known - d over ``h`` s, the known part fed forward by Heun's rule; d' is white."""
+    x, y, kx, ky = s.x, s.y, s.kx, s.ky
+    dx, dy = s.dx, s.dy
+    lx, ly = flow(x + h * (kx - dx), y + h * (ky - dy), eta, wx, wy, wz)
+    s.x = x + h * (0.5 * (kx + lx) - dx)
+    s.y = y + h * (0.5 * (ky + ly) - dy)
+    p01, p11 = s.p01, s.p11
+    s.p00 += -2.0 * h * p01 + h * h * p11 + density * h**3 / 3.0
+    s.p01 += -h * p11 - density * h * h / 2.0
+    s.p11 += density * h
+
+
+@law
+def step(
+    memory: Memory, row: tuple[float, float, float, float, float, float, float]
+) -> tuple[float, float, float, float]:
+    """One ``FlowRow``: t, d_x, d_y and their standard deviation, 1/s."""
+    settings, s = memory.settings, memory.state
+    t, x, y, eta, wx, wy, wz = FlowRow(*row)
+    if not abs(t) <= LATEST_S or (s.started == 1.0 and not t > s.t):
+        return nan, nan, nan, nan
+    image = x == x
+    if eta != eta:  # the last estimate stays
+        return t, nan if s.imaged == 0.0 else s.dx, nan if s.imaged == 0.0 else s.dy, s.p11**0.5
+    if s.imaged == 1.0:
+        predict(s, settings.density, eta, wx, wy, wz, t - s.t)
+        if image:
+            total = s.p00 + settings.noise
+            near, far = s.p00 / total, s.p01 / total
+            ex, ey = x - s.x, y - s.y
+            s.x += near * ex
+            s.y += near * ey
+            s.dx += far * ex
+            s.dy += far * ey
+            s.p11 -= far * s.p01
+            s.p01 *= 1.0 - near
+            s.p00 *= 1.0 - near
+    elif image:
+        s.imaged, s.x, s.y = 1.0, x, y
+        s.p00, s.p11 = settings.noise, SPREAD_START**2
+    s.started, s.t = 1.0, t
+    s.kx, s.ky = flow(s.x, s.y, eta, wx, wy, wz)
+    if s.imaged == 0.0:
+        return t, nan, nan, nan
+    return t, s.dx, s.dy, s.p11**0.5
+
+
+@law
+def row_at(rows: FloatTable, i: int) -> tuple[float, float, float, float, float, float, float]:
+    """A row of a table as a tuple."""
+    r = rows[i]
+    return r[0], r[1], r[2], r[3], r[4], r[5], r[6]
+
+
+class UnknownInputFilter(CompiledStage):
+    """Kalman filter of (x, y) and d = chi (v_x, v_y) with the known motion of the image fed forward.
+
+    Assumes that d changes as a random walk and that eta and w are correct: the error of eta times (x, y)
+    enters d. The known part of (x, y)' is integrated, not differentiated, so the filter needs only the
+    bandwidth of d: at 4 px of noise it is ten times better than differences of the image.
+
+    (x, y)' = (x, y) eta + B_y w - d, d' white of density q; image noise r; both axes share one covariance.
+
+    Parameters: ``focal_px`` px; ``noise_px`` px, standard deviation of a coordinate; ``density`` 1/s^3, q.
+    Memory: 14 floats. Raises ParameterError; EventError if time does not increase.
+
+    Reference: Benyoucef et al. 2021, equations (39) to (41), with a filter instead of the derivative.
+
+    >>> unknown = UnknownInputFilter(focal_px=1e3, noise_px=1.0, density=1e-2)
+    >>> for i in range(200):
+    ...     sample = CameraSample(i / 50, -100.0 * i / 50, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    ...     dx, dy, spread = unknown.update(sample, 0.0)
+    >>> round(dx, 4)  # x' = -d_x
+    0.1
+    """
+
+    focal_px: float = parameter("px", *FOCAL_PX, "focal length: image plane to px")
+    noise_px: float = parameter(
+        "px", 1e-3, 1e3, "standard deviation of a coordinate in the image", default=1.0
+    )
+    density: float = parameter(
+        "1/s^3", 1e-12, 1e6, "spectral density of the unknown input's rate", default=3e-4
+    )
+    states = State.length
+    width = 4
+    loop = staticmethod(loop_of(step, row_at))
+    step = staticmethod(step)
+
+    def settings(self) -> list[float]:
+        """The beginning of the memory."""
+        return [(float(self.noise_px) / float(self.focal_px)) ** 2, float(self.density)]
+
+    def update(self, sample: CameraSample, /, eta: float) -> tuple[float, float, float]:
+        """D and its standard deviation after a sample and the observer's eta; a refused one changes nothing.
+
+        NaN before the first image; where eta is NaN the last estimate stays.
+        """
+        t, x, y, wx, wy, wz, *_ = sample
+        row = (float(t), x / self.focal_px, y / self.focal_px, float(eta), float(wx), float(wy), float(wz))
+        found, dx, dy, spread = self.advance(row)
+        if found != found:
+            raise EventError(f"t must increase, received {t!r}", field="t", value=t)
+        return dx, dy, spread
+
+    def run(self, samples: CameraColumns, eta: FloatArray) -> FloatArray:
+        """D at each row of a table, (rows, 2); a refused row raises its error."""
+        s, f = samples, self.focal_px
+        table = np.column_stack([s.t, s.x / f, s.y / f, eta, s.wx, s.wy, s.wz])
+        out = self.walk(np.zeros(len(table), np.bool_), table)
+        if np.isnan(out[:, 0]).any():
+            row = int(np.isnan(out[:, 0]).argmax())
+            raise EventError(f"row {row}: t must increase, received {s.t[row]!r}", field="t", value=s.t[row])
+        return out[:, 1:3]
 
 
 def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:
@@ -42,68 +203,3 @@ def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:
     chi = np.where(depth.chi > FLOOR, depth.chi, np.nan)
     rates: FloatArray = np.column_stack([d, depth.eta]) / chi[:, None]
     return rates
-
-
-class UnknownInputs:
-    """d = chi (v_x, v_y) by (40): the known motion of the image less a derivative of it, or a filter.
-
-    Assumes eta correct: its error times (x, y) enters d. A derivative turns n px of noise into n rate / focal
-    length; stronger smoothing trades noise for delay; the two-state filter does not differentiate the known
-    motion. Between two images the last derivative is held.
-
-    d = (x, y) eta + B_y w - (x, y)'.
-
-    Parameters: ``way``, one of ``WAYS``; ``focal_px`` px; ``noise_px`` px, the standard deviation for the
-    two-state filter. Memory: that of its stage and 2 floats. Raises ParameterError.
-
-    Reference: Benyoucef et al. 2021, equations (39) to (41).
-    """
-
-    def __init__(self, way: str, *, focal_px: float, noise_px: float = 1.0) -> None:
-        if way not in WAYS:
-            raise ParameterError(
-                f"way must be one of {'; '.join(WAYS)}; received {way!r}", field="way", value=way
-            )
-        check((FOCAL, NOISE_PX), {"focal_px": focal_px, "noise_px": noise_px})
-        self.way, self.focal_px = way, float(focal_px)
-        self._d = (nan, nan)
-        self._filter: UnknownInputFilter | None = None
-        self._differentiator: Differentiator | None = None
-        if way == FED_FORWARD:
-            self._filter = UnknownInputFilter(noise=noise_px / focal_px)
-        else:
-            name, _, calm = way.partition(", ")
-            kind: Any = DIFFERENTIATORS[name]
-            self._differentiator = kind(**GAPS, **(CALM[name] if calm else {}))
-
-    def reset(self) -> None:
-        """Forget every sample."""
-        self._d = (nan, nan)
-        for stage in (self._filter, self._differentiator):
-            if stage is not None:
-                stage.reset()
-
-    def update(self, sample: CameraSample, eta: float) -> tuple[float, float]:
-        """Consume one sample and the observer's eta; NaN before the first estimate."""
-        if eta != eta:
-            return self._d
-        w = (sample.wx, sample.wy, sample.wz)
-        if sample.x is None or sample.y is None:
-            if self._filter is not None:
-                self._d = self._filter.update((sample.t, nan, nan, eta, *w))[1:3]
-            return self._d
-        x, y = sample.x / self.focal_px, sample.y / self.focal_px
-        if self._filter is not None:
-            self._d = self._filter.update((sample.t, x, y, eta, *w))[1:3]
-        elif self._differentiator is not None:
-            motion = self._differentiator.update(PointerEvent(sample.t, sample.x, sample.y))
-            scale = DPI / METRES_PER_INCH / self.focal_px if motion.settled else nan
-            known_x, known_y = flow(x, y, eta, *w)
-            self._d = known_x - motion.vx * scale, known_y - motion.vy * scale
-        return self._d
-
-    def run(self, samples: CameraColumns, eta: FloatArray) -> FloatArray:
-        """Consume a table: d at each row, by the same stages."""
-        records = samples.samples()
-        pairs = [self.update(one, float(value)) for one, value in zip(records, eta, strict=True)]
-        return np.array(pairs).reshape(-1, 2)

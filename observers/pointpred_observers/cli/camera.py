@@ -23,8 +23,6 @@ from pointpred.errors import ParameterError
 app = typer.Typer(no_args_is_help=True)
 Focal = Annotated[float, typer.Option(metavar="PX", help="Focal length in px; there is no default.")]
 Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point: uniform in +- this many px.")]
-FED = "kalman-two-state"
-"""How the velocity in the image is computed here."""
 SMALLEST_PX = 0.05
 """The least noise the filter assumes: with none it would rely on its first image alone."""
 
@@ -97,6 +95,13 @@ def run(
             metavar="M[,M/S]", help="What the observer starts with: the depth, and the velocity forwards."
         ),
     ] = "1,0",
+    up: Annotated[
+        str | None,
+        typer.Option(
+            metavar="X,Y,Z|rest",
+            help="Remove gravity: the direction opposite to it at first, or of a camera at rest.",
+        ),
+    ] = None,
     noise: Seen = 2.0,
     images: Annotated[
         Path | None,
@@ -118,6 +123,9 @@ def run(
     they do not: use the filter there. The filter gives no estimate until the images determine the depth;
     until then the observer is not checked, and a wrong start is not detected.
 
+    What an accelerometer measures has gravity in it: --up removes it, turned on by the gyroscope; columns ux,
+    uy, uz give the direction opposite to it at each row.
+
     Try:
 
       pointpred camera run camera.csv --focal-px 800 --start 1,-0.3
@@ -125,24 +133,21 @@ def run(
       pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
     """
     check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth], force)
-    from pointpred_observers.cli.camera_files import errors_of, read_samples, read_truth
-    from pointpred_observers.cli.camera_tables import show, summary
+    from pointpred_observers.cli import camera_files as files
 
-    columns = read_samples(samples)
+    columns = files.read_samples(samples, up)
     if images is not None:
         columns = _followed(columns, images, point, every)
     estimates = _pipeline(focal_px, start, noise).run(columns)
-    truths = None if truth is None else read_truth(truth)
-    errors = None if truths is None else errors_of(estimates, truths)
+    truths = None if truth is None else files.read_truth(truth)
+    errors = None if truths is None else files.errors_of(estimates, truths)
     if plot is not None:
-        from pointpred_observers.cli.camera_plot import plot as draw
-
-        draw(estimates, truths, plot, f"{samples.name}, focal length {focal_px:g} px")
+        files.plot(estimates, truths, plot, f"{samples.name}, focal length {focal_px:g} px")
         remarks().print(f"{plot}")
     if json is not None:
-        write_json(summary(estimates, errors), json)
+        write_json(files.summary(estimates, errors), json)
     if json is None or str(json) != "-":
-        show(estimates, errors)
+        files.show(estimates, errors)
 
 
 def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
@@ -174,6 +179,5 @@ def _pipeline(focal_px: float, start: str, noise: float) -> Any:
         raise ParameterError(f"--noise must not be negative, received {noise:g}")
     deviation = max(noise / 3.0**0.5, SMALLEST_PX)
     observer = DepthObserver(focal_px=focal_px, start_chi=1.0 / depth, start_eta=vz / depth)
-    return CameraPipeline(
-        observer, PointFilter(focal_px=focal_px, noise_px=deviation), way=FED, noise_px=deviation
-    )
+    peer = PointFilter(focal_px=focal_px, noise_px=deviation)
+    return CameraPipeline(observer, peer, noise_px=deviation)

@@ -1,4 +1,4 @@
-"""Camera samples, their truth and images as files: what ``pointpred camera`` writes and reads."""
+"""What ``pointpred camera`` reads, writes, prints and draws: samples, their truth, images, estimates."""
 
 from __future__ import annotations
 
@@ -8,15 +8,29 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from rich.table import Table
 
+from pointpred.console import results
+from pointpred.drawing import GREY, PALETTE, canvas, picture
 from pointpred.errors import ParameterError, RecordingError
 from pointpred.extras import missing_extra
+from pointpred.files import write_whole
 from pointpred.records import FloatArray
-from pointpred_observers.camera import CameraColumns, CameraTable, Trajectory
+from pointpred_observers.camera import CameraColumns, CameraTable, Gravity
+from pointpred_observers.camera.scenario import Trajectory
 
+UP = ("ux", "uy", "uz")
+"""Columns of the direction opposite to gravity in the camera's frame, where the attitude is known."""
 TRUTH = ("t", "depth_m", "vx", "vy", "vz")
 IMAGES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm")
+MOMENTS = 11
+HEADINGS = ("t s", "Z observer m", "Z filter m", "v_z observer m/s", "v_z filter m/s", "believe")
+NAMES = ("chi", "eta", "vx", "vy", "vz")
+UNITS = {"chi": "1/m", "eta": "1/s", "vx": "m/s", "vy": "m/s", "vz": "m/s"}
 Names = tuple[str, ...]
+Errors = dict[str, dict[str, float | None]]
+SHOWN = (("depth Z [m]", None), ("v_x [m/s]", "vx"), ("v_y [m/s]", "vy"), ("v_z [m/s]", "vz"))
+OBSERVER, PEER = PALETTE[1], PALETTE[0]
 
 
 def write_table(target: Path, names: Names, table: FloatArray) -> None:
@@ -27,20 +41,24 @@ def write_table(target: Path, names: Names, table: FloatArray) -> None:
         writer.writerows([["" if v != v else repr(v) for v in row] for row in table.tolist()])
 
 
-def read_table(source: Path, names: Names) -> FloatArray:
-    """The columns of a CSV file, in any order; raises RecordingError naming file, line and column."""
+def read_table(source: Path, names: Names, more: Names = ()) -> FloatArray:
+    """The columns of a CSV file, in any order, and ``more`` if all of these are there.
+
+    Raises RecordingError naming file, line and column.
+    """
     try:
         with source.open(newline="", encoding="utf-8-sig") as stream:
             reader = csv.DictReader(stream)
-            missing = [name for name in names if name not in (reader.fieldnames or [])]
-            if missing:
+            header = reader.fieldnames or []
+            if missing := [name for name in names if name not in header]:
                 reason = f"the header lacks {', '.join(missing)}; needs {', '.join(names)}"
                 raise RecordingError(f"{source}: {reason}")
+            wanted = (*names, *more) if all(name in header for name in more) else names
             rows = []
             for number, row in enumerate(reader, start=2):
                 if None in row:
                     raise RecordingError(f"{source}, line {number}: has more fields than the header")
-                rows.append([_number(source, number, name, row[name]) for name in names])
+                rows.append([_number_in(source, number, name, row[name]) for name in wanted])
     except (UnicodeDecodeError, csv.Error) as unusable:
         raise RecordingError(f"{source}: is no CSV file in UTF-8: {unusable}") from unusable
     if len(rows) < 2:
@@ -48,7 +66,7 @@ def read_table(source: Path, names: Names) -> FloatArray:
     return np.array(rows)
 
 
-def _number(source: Path, number: int, name: str, text: str | None) -> float:
+def _number_in(source: Path, number: int, name: str, text: str | None) -> float:
     if text is None or not text.strip():
         if name in ("x", "y"):
             return float("nan")
@@ -76,9 +94,23 @@ def truth_table(truth: Trajectory) -> FloatArray:
     return np.column_stack([truth.t, truth.p[:, 2], truth.v])
 
 
-def read_samples(source: Path) -> CameraColumns:
-    """Samples of ``camera simulate``, or of anybody who writes the same columns."""
-    return CameraColumns(read_table(source, CameraColumns.names))
+def read_samples(source: Path, up: str | None = None) -> CameraColumns:
+    """Samples of ``camera simulate``, or of anybody who writes the same columns.
+
+    ``up``: gravity is still in them; the direction opposite to it at the first sample as X,Y,Z, or "rest"
+    where the camera rests there. With the columns ux, uy, uz the attitude of each row is known.
+    """
+    table = read_table(source, CameraColumns.names, UP)
+    columns, known = CameraColumns(table[:, :9]), table[:, 9:] if table.shape[1] > 9 else None
+    if up is None and known is None:
+        return columns
+    try:
+        first = None if up in (None, "rest") else [float(one) for one in str(up).split(",")]
+    except ValueError as unusable:
+        raise ParameterError(f"--up needs X,Y,Z or rest, received {up!r}") from unusable
+    if first is not None and len(first) != 3:
+        raise ParameterError(f"--up needs X,Y,Z or rest, received {up!r}")
+    return Gravity(up=first).run(columns, known)
 
 
 def read_images(folder: Path) -> list[Any]:
@@ -99,13 +131,13 @@ def read_images(folder: Path) -> list[Any]:
     return images
 
 
-def errors_of(estimates: CameraTable, truth: FloatArray) -> dict[str, dict[str, float | None]]:
+def errors_of(estimates: CameraTable, truth: FloatArray) -> Errors:
     """RMSE of observer and peer against the truth, where each has an estimate."""
     if len(truth) != len(estimates) or np.abs(truth[:, 0] - estimates.t).max() > 1e-6:
         raise ParameterError(f"TRUTH: needs the {len(estimates)} times of the samples, received others")
     chi, eta = 1.0 / truth[:, 1], truth[:, 4] / truth[:, 1]
     wanted = {"chi": chi, "eta": eta, "vx": truth[:, 2], "vy": truth[:, 3], "vz": truth[:, 4]}
-    table: dict[str, dict[str, float | None]] = {}
+    table: Errors = {}
     for who, prefix in (("observer", ""), ("peer", "peer_")):
         table[who] = {}
         for name, values in wanted.items():
@@ -113,3 +145,94 @@ def errors_of(estimates: CameraTable, truth: FloatArray) -> dict[str, dict[str, 
             finite = error[error == error]
             table[who][name] = float(np.sqrt(np.mean(finite**2))) if len(finite) else None
     return table
+
+
+def summary(estimates: CameraTable, errors: Errors | None) -> dict[str, Any]:
+    """The run as JSON: the last estimates, shares of the flags, errors where a truth was given."""
+    last = dict(zip(CameraTable.names, estimates.table[-1].tolist(), strict=True))
+    running = estimates.peer_chi == estimates.peer_chi
+    return {
+        "version": 1,
+        "samples": len(estimates),
+        "images": int(estimates.image.sum()),
+        "detectable": float(estimates.detectable.mean()),
+        "filter_started_s": float(estimates.t[running][0]) if running.any() else None,
+        "last": {name: value if value == value else None for name, value in last.items()},
+        "rmse": errors,
+    }
+
+
+def show(estimates: CameraTable, errors: Errors | None) -> None:
+    """Print moments spread evenly over the run, and errors where a truth was given."""
+    table = Table(box=None, pad_edge=False)
+    for heading in HEADINGS:
+        table.add_column(heading, justify="right")
+    for row in np.linspace(0, len(estimates) - 1, min(MOMENTS, len(estimates))).astype(int):
+        table.add_row(*_moment(estimates, int(row)))
+    results().print(table)
+    if errors is None:
+        return
+    below = Table(box=None, pad_edge=False, title="RMSE beside the truth", title_justify="left")
+    below.add_column("")
+    for name in NAMES:
+        below.add_column(f"{name} {UNITS[name]}", justify="right")
+    for who, values in errors.items():
+        below.add_row(who.replace("peer", "filter"), *(_number(values[name]) for name in NAMES))
+    results().print(below)
+
+
+def _moment(estimates: CameraTable, row: int) -> tuple[str, ...]:
+    running = estimates.peer_chi[row] == estimates.peer_chi[row]
+    spread = f" +- {estimates.peer_depth_spread[row]:.3f}" if running else ""
+    believe = "filter" if running else ("observer, unchecked" if estimates.detectable[row] else "nobody")
+    return (
+        f"{estimates.t[row]:.2f}",
+        _number(1.0 / estimates.chi[row]),
+        _number(1.0 / estimates.peer_chi[row]) + spread,
+        _number(estimates.vz[row]),
+        _number(estimates.peer_vz[row]),
+        believe + ("" if estimates.detectable[row] else "; observer not detectable"),
+    )
+
+
+def _number(value: float | None) -> str:
+    return "-" if value is None or value != value else f"{value:.4f}"
+
+
+def plot(estimates: CameraTable, truth: FloatArray | None, target: Path, title: str) -> None:
+    """Write an SVG file with four panels; grey: where the observer's errors do not fade."""
+    with canvas(2, 2, width=9.0, height=6.0) as (figure, axes):
+        for place, (label, name) in enumerate(SHOWN):
+            ax = axes[place]
+            observer = 1.0 / estimates.chi if name is None else getattr(estimates, name)
+            peer = 1.0 / estimates.peer_chi if name is None else getattr(estimates, f"peer_{name}")
+            low, high = _range(peer, observer, None if truth is None else truth[:, place + 1])
+            if truth is not None:
+                ax.plot(
+                    estimates.t, truth[:, place + 1], color=GREY, linewidth=3.5, label="truth", zorder=1.5
+                )
+            ax.plot(estimates.t, observer, color=OBSERVER, linewidth=1.0, label="observer")
+            ax.plot(
+                estimates.t, peer, color=PEER, linestyle=(0, (4, 2)), linewidth=1.5, label="filter (peer)"
+            )
+            blind = estimates.detectable == 0.0
+            ax.fill_between(
+                estimates.t, 0.0, 1.0, where=blind, color=GREY, alpha=0.15, linewidth=0.0,
+                transform=ax.get_xaxis_transform(), label="not detectable" if blind.any() else None,
+            )  # fmt: skip
+            ax.set(xlabel="t [s]", ylabel=label, ylim=(low, high))
+        figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
+        figure.suptitle(title, x=0.01, ha="left")
+        caption = "Depth and velocity over time by observer and filter."
+        write_whole(target, picture(figure, caption, title, wide=True).svg.encode())
+
+
+def _range(*lines: FloatArray | None) -> tuple[float, float]:
+    """What is worth seeing: the middle 96 % of each line, and some air."""
+    finite = [line[line == line] for line in lines if line is not None]
+    ends = [np.percentile(line, (2.0, 98.0)) for line in finite if len(line)]
+    if not ends:
+        return 0.0, 1.0
+    low, high = float(np.min(ends)), float(np.max(ends))
+    air = 0.1 * max(high - low, 1e-3)
+    return low - air, high + air

@@ -52,7 +52,7 @@ def wing() -> Any:
 def spring() -> Any:
     """Two states with a product between them, written as equations; the second is measured."""
     from pointpred_observers import SymbolicSystem
-    from pointpred_observers.triangular.polynomials import symbolic
+    from pointpred_observers.plants.polynomials import symbolic
 
     x1, x2, u = symbolic().symbols("x1 x2 u")
     return SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
@@ -61,7 +61,7 @@ def spring() -> Any:
 def oscillator() -> Any:
     """The generator of a sine and a cosine, which drives the spring."""
     from pointpred_observers import SymbolicGenerator
-    from pointpred_observers.triangular.polynomials import symbolic
+    from pointpred_observers.plants.polynomials import symbolic
 
     w1, w2 = symbolic().symbols("w1 w2")
     return SymbolicGenerator((w1, w2), (w2, -w1))

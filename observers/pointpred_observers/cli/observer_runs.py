@@ -13,36 +13,22 @@ import numpy as np
 from pointpred.errors import ParameterError
 from pointpred.files import whole
 from pointpred.records import FloatArray
-from pointpred_observers import (
-    CornerSystem,
-    InterlacedObserver,
-    InvariantObserver,
-    ObserverDesign,
-    Persidskii,
-    ReducedOrderDesign,
-    RegulatorDesign,
-    Simulation,
-    UnknownInputObserver,
-)
-from pointpred_observers.documents.expressions import parsed
-from pointpred_observers.triangular.polynomials import symbolic
+from pointpred_observers import CornerSystem, Observer, Persidskii, load
+from pointpred_observers.plants.expressions import parsed
+from pointpred_observers.plants.polynomials import symbolic
+from pointpred_observers.simulations.result import Simulation
 
 
-def plant_of(design: Any) -> Any:
-    """The plant that a design was made for; raises ParameterError for what is no design."""
-    if isinstance(design, ReducedOrderDesign):
-        return design.observer.plant
-    if isinstance(design, InterlacedObserver):
-        return design.steady.system
-    if isinstance(design, UnknownInputObserver):
-        return design.system
-    if isinstance(design, ObserverDesign | RegulatorDesign | InvariantObserver):
-        return design.plant
-    raise ParameterError(
-        f"simulate needs the file of a design, received a {type(design).__name__}: design one first, with "
-        "pointpred observers design",
-        field="design",
-    )
+def design_of(file: Path) -> Observer:
+    """The design of a file, audited; raises ParameterError for the file of a plant."""
+    made = load(file)
+    if not isinstance(made, Observer):
+        raise ParameterError(
+            f"{file} must be the file of a design, it holds a {type(made).__name__}: design an observer "
+            "first, with pointpred observers design",
+            field="design",
+        )
+    return made
 
 
 MOST = 1_000_000

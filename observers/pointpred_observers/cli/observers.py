@@ -15,7 +15,7 @@ from pointpred.extras import require
 from pointpred.files import write_whole
 
 if TYPE_CHECKING:
-    from pointpred_observers import Simulation
+    from pointpred_observers.simulations.result import Simulation
 
 app = typer.Typer(no_args_is_help=True)
 PlantFile = Annotated[
@@ -55,7 +55,7 @@ def example(
       pointpred observers example pendulum --out pendulum.json
     """
     from pointpred_observers.cli.observer_examples import EXAMPLES
-    from pointpred_observers.documents.files import encoded
+    from pointpred_observers.files import encoded
 
     if plant not in EXAMPLES:
         listed = "; ".join(f"{name}: {one.about}" for name, one in EXAMPLES.items())
@@ -80,12 +80,12 @@ def design(
             help="JSON file of the generator that drives the plant (driven, interlaced).",
         ),
     ] = None,
-    observer: Annotated[
+    kind: Annotated[
         str | None,
         typer.Option(
             metavar="KIND",
-            help="reduced-order, full-order, driven, regulator, unknown-input or interlaced. Not given: what "
-            "the plant allows.",
+            help="reduced, full, driven, regulator, unknown-input or interlaced. Not given: what the plant "
+            "allows.",
         ),
     ] = None,
     decay: Annotated[
@@ -109,10 +109,9 @@ def design(
 ) -> None:
     """Design an observer for the plant of a file, and write it with its certificate.
 
-    reduced-order estimates what is not measured: for outputs with little noise. full-order filters the
-    outputs too. driven: the plant follows a generator whose state is estimated. regulator: the estimate
-    drives the plant. unknown-input: parameter-varying plants with inputs that nobody measures. interlaced:
-    plants as equations.
+    reduced estimates what is not measured: for outputs with little noise. full filters the outputs too.
+    driven: the plant follows a generator whose state is estimated. regulator: the estimate drives the plant.
+    unknown-input: parameter-varying plants with inputs that nobody measures. interlaced: plants as equations.
 
     A plant that allows no observer is refused with the reason, such as a mode that the outputs do not show,
     and exit code 1.
@@ -121,19 +120,20 @@ def design(
 
       pointpred observers design motor.json --decay 5
 
-      pointpred observers design motor.json --observer full-order --decay 5 --out filter.json
+      pointpred observers design motor.json --kind full --decay 5 --out filter.json
     """
     target = out or plant.with_name(f"{plant.stem}_design.json")
     inputs = [plant] if generator is None else [plant, generator]
     check_targets({"--out": target, "--json": json}, inputs, force)
+    from pointpred_observers import design as designed
     from pointpred_observers import load, save
-    from pointpred_observers.cli.observer_designs import Wish, designed
     from pointpred_observers.cli.observer_tables import print_design, summary
 
-    wish = Wish(observer, decay, upper, first)
     read, driving = load(plant), None if generator is None else load(generator)
+    options = {"generator": driving, "upper": upper, "first": first}
+    given = {name: one for name, one in options.items() if one is not None}
     try:
-        kind, made = designed(read, driving, wish)
+        made = designed(read, kind, decay=decay, **given)
     except ParameterError as wrong:
         if wrong.field != "slopes":
             raise
@@ -145,7 +145,7 @@ def design(
     if json is not None:
         write_json(summary(made), json)
     if json is None or str(json) != "-":
-        print_design(kind, made)
+        print_design(made)
     remarks().print(f"written: {target}. See it run: pointpred observers simulate {target}")
 
 
@@ -162,10 +162,10 @@ def audit(design: DesignFile, json: Numbers = None, force: Force = False) -> Non
     """
     check_targets({"--json": json}, [design], force)
     from pointpred_observers import audit as audited
-    from pointpred_observers import load
+    from pointpred_observers.cli.observer_runs import design_of
     from pointpred_observers.cli.observer_tables import print_audit, summary
 
-    made = load(design)
+    made = design_of(design)
     margins = audited(made)
     if json is not None:
         write_json(summary(made), json)
@@ -222,13 +222,11 @@ def simulate(
 
         require("report", "--plot")
         check_ending(plot)
-    from pointpred_observers import load
     from pointpred_observers import simulate as simulated
-    from pointpred_observers.cli.observer_runs import plant_of, sampling, signals, write_signals
+    from pointpred_observers.cli.observer_runs import design_of, sampling, signals, write_signals
     from pointpred_observers.cli.observer_tables import errors_document, print_errors
 
-    made = load(design)
-    plant = plant_of(made)
+    made = design_of(design)
     asked: dict[str, Any] = signals(
         start=start,
         input=input,
@@ -236,7 +234,7 @@ def simulate(
         parameter=parameter,
         noise=noise,
     )
-    result: Simulation = simulated(plant, made, times=sampling(plant, seconds), seed=seed, **asked)
+    result: Simulation = simulated(made.plant, made, times=sampling(made.plant, seconds), seed=seed, **asked)
     if plot is not None:
         result.plot(plot)
     if out is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 import msgspec
 import numpy as np
@@ -10,29 +10,63 @@ import numpy as np
 from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.balance import form, inward, outward
-from pointpred_observers.bounds import ErrorBound, interconnection_bound, region
-from pointpred_observers.detectability import require_detectable
-from pointpred_observers.equalities import TOLERANCE
-from pointpred_observers.inequalities.audit import answer_of_a_search
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.interconnected.generator import Fitted, Generator
 from pointpred_observers.interconnected.interconnection import Interconnection, theorem_3_2_1
-from pointpred_observers.interconnected.steady_state import relative_residuals
-from pointpred_observers.linear_systems import Plant
-from pointpred_observers.matrices import matrix, positive, vector
-from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.stationary import cover, filter_start, middle
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.simulation import (
+    UNUSED,
+    like,
+    open_loop,
+    outputs_of,
+    same,
+    unlike,
+    walked,
+)
+from pointpred_observers.interconnected.steady_state import relative_residuals, steady_state_map
+from pointpred_observers.interconnected.tracking import closed_loop
+from pointpred_observers.numerics.balance import Coordinates, inward
+from pointpred_observers.numerics.eigenvalues import require_detectable
+from pointpred_observers.numerics.equalities import TOLERANCE, without_rounding
+from pointpred_observers.numerics.matrices import dimensions, instance, matrix, positive, vector
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.documents import GeneratorDocument, PlantDocument
+from pointpred_observers.plants.entries import (
+    Document,
+    Functions,
+    Rows,
+    Values,
+    entries,
+    finite,
+    gap_of,
+    matrices_of,
+    plain,
+)
+from pointpred_observers.plants.generator import Fitted, Generator
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
+from pointpred_observers.proofs.definite import solved
+from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Posed, search
+from pointpred_observers.proofs.stationary import cover, filter_start, middle
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting, run, sampled
 
 
-class ObserverDesign(msgspec.Struct, frozen=True):
+class DrivenObserver(Observer, msgspec.Struct, frozen=True):
     """A gain with its certificate: matrices by name, ``margins`` by inequality, ``bound`` of the error.
 
-    The disturbances of ``bound`` are v, the noise of Y, eps, by which the outputs differ from those of x = Pi
-    w, and w of the generator's equation, as in ``error_system``.
+    The observer of a generator's state w that drives the plant, x = Pi w. The disturbances of ``bound`` are
+    v, the noise of Y, eps, by which the outputs differ from those of x = Pi w, and w of the generator's
+    equation, as in ``error_system``.
     ``gap``: how far the least bound of Gamma and Xi in balanced units could lie below that of this design,
     relative to it; infinite if nothing is proved.
+
+    Reference: Khalin 2022, Theorem 3.2.1, (3.5)-(3.7).
     """
+
+    kind: ClassVar[str] = "driven"
 
     gain: FloatArray
     values: dict[str, Any]
@@ -44,11 +78,19 @@ class ObserverDesign(msgspec.Struct, frozen=True):
     gap: float = np.inf
 
     @property
-    def full_order(self) -> bool:
-        """Whether the generator is the plant itself, as ``design_full_order`` has it, so that w is x."""
-        plant, g = self.plant, self.generator
-        same = self.Pi.shape == (plant.n, plant.n) and np.array_equal(self.Pi, np.eye(plant.n))
-        return bool(same and not plant.m and np.array_equal(g.S0, plant.A0) and np.array_equal(g.E, plant.Q))
+    def bounds(self) -> dict[str, ErrorBound]:
+        """The bound of w - w^."""
+        return {"error": self.bound}
+
+    @property
+    def lyapunov(self) -> dict[str, FloatArray]:
+        """The P of Theorem 3.2.1."""
+        return {"": self.values["P"]}
+
+    @property
+    def chosen(self) -> dict[str, FloatArray]:
+        """The gain."""
+        return {"M": self.gain}
 
     def region(self, reach: Any) -> tuple[float, float]:
         """The region of validity, if abs(Jw) stays within ``reach`` >= 0 (one, or r) on the true trajectory.
@@ -62,15 +104,167 @@ class ObserverDesign(msgspec.Struct, frozen=True):
         reaches = vector("reach", np.full(len(j), reach) if is_number(reach) else reach, len(j))
         return region(self.values["P"], j, self.plant.domain, reaches)
 
+    @classmethod
+    def design(
+        cls, plant: Plant, *, generator: Generator, Pi: Any = None, gain: Any = None, decay: float = 1.0
+    ) -> DrivenObserver:
+        """The gain M of observer (3.5) for the generator's state, with its certificate; see ``driven``.
 
-def design_observer(
+        Parameters: ``Pi`` (n, q) with x = Pi w, by default that of ``steady_state_map``.
+        """
+        generator = instance("generator", generator, Generator)
+        return driven(
+            plant,
+            generator,
+            steady_state_map(plant, generator).Pi if Pi is None else Pi,
+            gain=gain,
+            decay=decay,
+        )
+
+    def error_system(self) -> ErrorSystem:
+        """(3.6): w - w^, disturbed by ``v`` of Y, ``eps`` (v~ is v + eps) and ``w`` of the generator."""
+        g, plant, m = self.generator, self.plant, self.gain
+        return sloped_system(
+            g.S0 - m @ plant.C0 @ self.Pi,
+            without_rounding(g.S1 - m @ plant.C1, g.S1, m @ plant.C1),
+            plant.H @ self.Pi,
+            {"v": -(g.G + m), "eps": -m, "w": np.eye(g.q)},
+            slopes=plant.slopes,
+            time=plant.time,
+            domain=plant.domain,
+        )
+
+    def stage(self, **settings: Any) -> PersidskiiStage:
+        """Observer (3.5): inputs are Y, then rho; it returns w^, then x^ = Pi w^ of (3.7).
+
+        A missing output is replaced by the one of the estimate, C0 Pi w + C1 f(Jw): no correction.
+        """
+        g, plant, m = self.generator, self.plant, self.gain
+        return PersidskiiStage(
+            g.S0 - m @ plant.C0 @ self.Pi,
+            g.S1 - m @ plant.C1,
+            plant.H @ self.Pi,
+            np.hstack([g.G + m, g.E]),
+            plant.f,
+            R0=self._shown(),
+            missing=MissingInputs.expected(plant.C0 @ self.Pi, plant.C1, plant.p + g.E.shape[1], plant.time),
+            time=plant.time,
+            **settings,
+        )
+
+    def _shown(self) -> FloatArray:
+        return np.vstack([np.eye(self.generator.q), self.Pi])
+
+    def simulated(self, plant: Any, setting: Setting) -> Simulation:
+        """The plant with its generator, and the observer of both."""
+        setting.refuse("a plant with a generator", *UNUSED)
+        one, g = like(plant, self.plant), self.generator
+        times = setting.samples(one.time == "discrete")
+        moved = Generator(g.S0, g.S1, one.H @ self.Pi, g.G, g.L0, g.L1, g.E)
+        alone = dimensions(setting.start) == 1 and len(setting.start) == one.n
+        start = setting.begin(one.n) if alone else setting.begin(one.n + g.q)
+        if len(start) == one.n:  # the generator that fits the plant's state best
+            start = np.concatenate([start, np.linalg.lstsq(self.Pi, start, rcond=None)[0]])
+        rho, d = setting.signal("input", one.z), setting.signal("disturbance", one.n)
+
+        def field(t: float, both: FloatArray) -> FloatArray:
+            return closed_loop(one, moved, t, both, rho=rho(t), d=d(t))
+
+        both = run(field, start, times, one.time == "discrete")
+        state, driving = both[:, : one.n], both[:, one.n :]
+        outputs = setting.measured(outputs_of(one, times, state))
+        inputs = sampled(rho, times)
+        stage = self.stage(start=setting.begin(g.q, "estimate", 0.0))
+        answers = walked(stage, times, outputs, inputs)
+        return Simulation.of(
+            one, times, state, answers[:, g.q :], outputs, inputs, "observer of a driven plant",
+            driving=driving, driving_estimate=answers[:, : g.q],
+        )  # fmt: skip
+
+    def document(self) -> DrivenDocument:
+        """Plant, generator, map, gain, and the matrices of Theorem 3.2.1."""
+        values = {name: one for name, one in self.values.items() if name != "U"}
+        return DrivenDocument(
+            plant=PlantDocument.of(self.plant),
+            generator=GeneratorDocument.of(self.generator),
+            Pi=entries(self.Pi),
+            gain=entries(self.gain),
+            certificate=plain(values),
+            gap=finite(self.gap),
+        )
+
+
+class FullOrderObserver(DrivenObserver, frozen=True):
+    """The observer of every state: a copy of the plant, corrected by its output.
+
+    Theorem 3.2.1 with the plant itself as its generator and Pi = I, so that w is x: the inputs of B and of Q
+    are both measured, and ``plant`` has them in its Q, those of B first.
+
+    z' = A0 z + A1 f(Hz) + B u + Q rho + M (y - C0 z - C1 f(Hz))
+    """
+
+    kind: ClassVar[str] = "full"
+
+    @classmethod
+    def design(cls, plant: Plant, *, gain: Any = None, decay: float = 1.0) -> DrivenObserver:  # type: ignore[override]
+        """The observer that estimates every state from the outputs and the known inputs.
+
+        Parameters: ``gain`` (n, p) to certify instead of computing one.
+        """
+        one, decay = as_plant(plant), positive("decay", decay)
+        inputs = np.hstack([one.B, one.Q])
+        known = Persidskii(
+            one.A0, one.A1, one.H, one.f, None, inputs, one.C0, one.C1, time=one.time, domain=one.domain
+        )
+        copied = Generator(one.A0, one.A1, one.H, E=inputs)
+        return driven(known, copied, np.eye(one.n), gain=gain, decay=decay)
+
+    def _shown(self) -> FloatArray:
+        return np.eye(self.plant.n)
+
+    def simulated(self, plant: Any, setting: Setting) -> Simulation:
+        """The plant that nothing feeds back, with the bound where one is proved."""
+        known, one = self.plant, as_plant(plant)
+        if (one.n, one.m + one.z, one.p, one.time) != (known.n, known.z, known.p, known.time):
+            raise unlike(one, known)
+        times = setting.samples(one.time == "discrete")
+        state, inputs, outputs = open_loop(one, setting, times)
+        first = setting.begin(one.n, "estimate", 0.0)
+        answers = walked(self.stage(start=first), times, outputs, inputs)
+        bound = np.zeros(0)
+        if setting.silent and np.isinf(known.domain) and same(one, known):
+            error = float(np.linalg.norm(first - state[0]))
+            bound = np.array([self.bound(float(t - times[0]), error) for t in times])
+        return Simulation.of(one, times, state, answers, outputs, inputs, "full-order observer", bound=bound)
+
+
+class DrivenDocument(Document, tag="observer", frozen=True):
+    """A ``DrivenObserver``, also one of full order."""
+
+    plant: PlantDocument
+    generator: GeneratorDocument
+    Pi: Rows
+    gain: Rows
+    certificate: Values
+    gap: float | None = None
+
+    def made(self, functions: Functions) -> DrivenObserver:
+        """The observer, audited."""
+        plant, generator = self.plant.made(functions), self.generator.made(functions)
+        q, p = generator.q, plant.p
+        shapes = {"P": (q, q), "Theta": (q, q), "Gamma": (p, p), "Xi": (q, q), "W": (q, q)}
+        values = matrices_of(self.certificate, shapes, optional=("W",))
+        return certified_design(plant, generator, self.Pi, self.gain, values, gap_of(self.gap))
+
+
+def driven(
     plant: Plant,
     generator: Generator,
     Pi: Any,
     *,
     gain: Any = None,
     decay: float = 0.0,
-) -> ObserverDesign:
+) -> DrivenObserver:
     """The gain M of observer (3.5) for the generator's state, with its certificate.
 
     Assumes that x = Pi w attracts the plant (Assumption 3.2.2), which needs a certificate of its own.
@@ -88,10 +282,10 @@ def design_observer(
 
     >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
     >>> generator = Generator([[0.0]], L0=[1.0])
-    >>> design = design_observer(plant, generator, [[1.0]], decay=2.0)
+    >>> design = driven(plant, generator, [[1.0]], decay=2.0)
     >>> bool(design.gain[0, 0] > 2.0), min(design.margins.values()) > 0.0
     (True, True)
-    >>> design_observer(plant, generator, [[0.0]])
+    >>> driven(plant, generator, [[0.0]])
     Traceback (most recent call last):
     pointpred.errors.InfeasibleError: (S0, C0 Pi) is not detectable: the mode of the eigenvalue 0 never shows
     """
@@ -112,48 +306,49 @@ def design_observer(
         )
     require_map(plant, generator, connection.pi)
     q, p = connection.g.q, plant.p
-    units = connection.units(decay)
-    x, y, t = units.states, units.outputs, units.seconds
-    c = 2.0 * decay * t if plant.time == "continuous" else 1.0 - float(np.exp(-2.0 * decay))
-    fixed: dict[str, Any] = {
-        "Theta": lambda v: np.eye(q) + c * v.P,
-        "Gamma": lambda v: v.bound * np.eye(p),
-        "Xi": lambda v: v.bound * np.eye(q),
-    }
-    problem = MatrixInequalities("Theorem 3.2.1").positive("P", q).number("bound")
-    if gain is None:
-        problem.free("U", q, p)
-    else:
-        fixed_gain = matrix("gain", gain, q, p)
-        inner_gain = inward(fixed_gain, x, y, t)
-        fixed["U"] = lambda v: v.P @ inner_gain
-    if connection.sloped and plant.time == "continuous":
-        problem.symmetric("W", q)
-    balanced_connection = connection.inward(units)
-    state = balanced_connection.state(problem, **fixed)
-    near = _start(balanced_connection, c) if gain is None else None
-    solution = state.solve(minimise=lambda v: v.bound, near=near)
-    answer = solution.values
-    inner = {**answer, **{name: function(_Attributes(answer)) for name, function in fixed.items()}}
-    m = outward(np.linalg.solve(answer["P"], answer["U"]), x, y, t) if gain is None else fixed_gain
-    values = {
-        "P": form(inner["P"], x),
-        "Theta": form(inner["Theta"], x, t),
-        "Gamma": form(inner["Gamma"], y, t),
-        "Xi": form(inner["Xi"], x, 1.0 / t),
-    }
-    if "W" in inner:
-        values["W"] = form(inner["W"], x, t)
-    gap = np.inf if solution.gap is None else solution.gap
-    with answer_of_a_search():
+    fixed_gain = None if gain is None else matrix("gain", gain, q, p)
+
+    def posed(units: Coordinates) -> Posed:
+        x, y, t = units.states, units.outputs, units.seconds
+        c = 2.0 * decay * t if plant.time == "continuous" else 1.0 - float(np.exp(-2.0 * decay))
+        fixed: dict[str, Any] = {
+            "Theta": lambda v: np.eye(q) + c * v.P,
+            "Gamma": lambda v: v.bound * np.eye(p),
+            "Xi": lambda v: v.bound * np.eye(q),
+        }
+        problem = MatrixInequalities("Theorem 3.2.1").positive("P", q).number("bound")
+        if fixed_gain is None:
+            problem.free("U", q, p)
+        else:
+            inner_gain = inward(fixed_gain, x, y, t)
+            fixed["U"] = lambda v: v.P @ inner_gain
+        if connection.sloped and plant.time == "continuous":
+            problem.symmetric("W", q)
+        inner, form = connection.inward(units), np.outer(x, x)
+        measured = {
+            "P": form,
+            "Theta": t * form,
+            "Gamma": t * np.outer(y, y),
+            "Xi": form / t,
+            "U": t * np.outer(x, y),
+            "W": t * form,
+        }
+        near = _start(inner, c) if fixed_gain is None else None
+        return Posed(inner.state(problem, **fixed), measured, lambda v: v.bound, near, fixed)
+
+    def audited(values: dict[str, Any], gap: float) -> DrivenObserver:
+        u = values.pop("U")
+        if fixed_gain is not None:
+            return certified_design(plant, generator, Pi, fixed_gain, values, gap)
+        m = solved(values["P"], u)
         try:
             return certified_design(plant, generator, Pi, m, values, gap)
         except CertificateError:
-            if gain is not None:
-                raise
             # The rounding of a large M = P^-1 U can exceed the margins of U: that M needs a P of its own.
-            again = design_observer(plant, generator, Pi, gain=m, decay=decay)
+            again = driven(plant, generator, Pi, gain=m, decay=decay)
             return msgspec.structs.replace(again, gap=np.inf)
+
+    return search(connection.units(decay), posed, audited)
 
 
 def certified_design(
@@ -163,7 +358,7 @@ def certified_design(
     gain: Any,
     values: dict[str, Any],
     gap: float = np.inf,
-) -> ObserverDesign:
+) -> DrivenObserver:
     """The design of a gain M and of matrices from any source, audited in the theorem as stated.
 
     Parameters: ``values`` P, Theta, Gamma, Xi, and W where f matters; U = P M is computed. Raises
@@ -180,10 +375,15 @@ def certified_design(
     # M runs, not P^-1 U: the rounding of P M counts as well, large beside U where P is nearly singular.
     theorem.unknowns.computed("U", np.abs(values["P"]) @ np.abs(m))
     theorem.check(values, printed=False)
-    bound = interconnection_bound(
-        values["P"], values["Theta"], values["Gamma"], values["Xi"], time=plant.time, sharp=True, G=g.G
-    )
-    return ObserverDesign(m, values, margins, bound, plant, g, connection.pi, gap)
+    # V' <= -e'Theta e + max Gamma (abs(v)^2 + abs(v + eps)^2) + max Xi abs(w)^2, the first v only through G.
+    noise, drive = eigenvalues("Gamma", values["Gamma"])[-1], eigenvalues("Xi", values["Xi"])[-1]
+    decay = decay_of(values["P"], values["Theta"], plant.time)
+    drives = {"v": 2.0 * noise if g.G.any() else noise, "eps": noise, "w": drive}
+    bound = proved_bound(values["P"], decay, drives, plant.time)
+    copy = np.array_equal(connection.pi, np.eye(plant.n)) and not plant.m
+    copy = copy and np.array_equal(g.S0, plant.A0) and np.array_equal(g.E, plant.Q)
+    kind = FullOrderObserver if copy else DrivenObserver
+    return kind(m, values, margins, bound, plant, g, connection.pi, gap)
 
 
 def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:
@@ -203,11 +403,6 @@ def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None
         f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}, {part:.1g} of its terms: "
         "take Pi from steady_state_map, with all digits"
     )
-
-
-class _Attributes:
-    def __init__(self, values: dict[str, Any]) -> None:
-        self.__dict__.update(values)
 
 
 def _start(connection: Interconnection, c: float) -> dict[str, Any] | None:

@@ -12,12 +12,12 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, inward
-from pointpred_observers.detectability import vertices
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import matrix
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.eigenvalues import vertices
+from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 
 
 class Interconnection:

@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.matrices import matrix
+from pointpred_observers.numerics.matrices import matrix
 
 Given = Any
 """A matrix, or a function of t (of the index in discrete time)."""

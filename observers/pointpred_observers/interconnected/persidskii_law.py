@@ -9,7 +9,7 @@ from pointpred.compiled import law
 from pointpred.layout import Layout
 from pointpred.records import FloatArray, FloatTable
 from pointpred.stage import loop_into
-from pointpred_observers import nonlinearity
+from pointpred_observers.plants import nonlinearity
 
 ACCEPTED, REPEATED, BACKWARDS, TOO_LONG, SKIPPED = 0, 1, 2, 3, 4
 STEPS_MOST = 100_000
@@ -171,34 +171,6 @@ def slope(m: Matrices, w: FloatArray, inputs: FloatArray, nonlinear: FloatArray,
 
 
 @law
-def flow(m: Matrices, s: State, row: FloatArray, begin: float, h: float) -> None:
-    """One step of the classical Runge-Kutta method at w, with inputs linear between the last ones and row.
-
-    ``begin`` and ``h`` are fractions of the interval between the two samples, whose length is row[0] - t.
-    """
-    q, inputs = len(m.start), len(m.first)
-    w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
-    length = h * (row[0] - s.clock[1])
-    for i in range(q):
-        value = w[i]
-        space.first[i] = value
-        space.stage[i] = value
-        space.total[i] = 0.0
-    for part in range(4):
-        at = begin + (0.0 if part == 0 else h if part == 3 else 0.5 * h)
-        for j in range(inputs):
-            space.inputs[j] = last[j] + at * (row[1 + j] - last[j])
-        slope(m, space.stage, space.inputs, space.nonlinear, space.change)
-        weight = 1.0 if part == 0 or part == 3 else 2.0
-        ahead = length if part == 2 else 0.5 * length
-        for i in range(q):
-            space.total[i] += weight * space.change[i]
-            space.stage[i] = space.first[i] + ahead * space.change[i]
-    for i in range(q):
-        w[i] = space.first[i] + length / 6.0 * space.total[i]
-
-
-@law
 def replace(
     m: Matrices, w: FloatArray, inputs: FloatArray, nonlinear: FloatArray, absent: FloatArray
 ) -> None:
@@ -219,11 +191,10 @@ def onward(m: Matrices, j: int, w: FloatArray, inputs: FloatArray, nonlinear: Fl
 
 
 @law
-def bridge(m: Matrices, s: State, row: FloatArray, length: float, h: float) -> None:
-    """A step of ``flow`` for inputs of which some are missing: these follow what replaces them.
+def flow(m: Matrices, s: State, row: FloatArray, length: float, h: float, missing: bool) -> None:
+    """One step of the classical Runge-Kutta method, of ``h`` s, where ``length`` s are left until ``row``.
 
-    ``length`` s are left until the sample ``row``; the step takes ``h`` s. The inputs behind w are states
-    here.
+    The inputs behind w are states, linear up to those of ``row``; missing ones follow what replaces them.
     """
     q, inputs = len(m.start), len(m.first)
     size = q + inputs
@@ -234,7 +205,8 @@ def bridge(m: Matrices, s: State, row: FloatArray, length: float, h: float) -> N
         space.stage[i] = s.both[i]
         space.total[i] = 0.0
     for part in range(4):
-        replace(m, w, given, space.nonlinear, s.absent)
+        if missing:
+            replace(m, w, given, space.nonlinear, s.absent)
         slope(m, w, given, space.nonlinear, space.change)
         for j in range(inputs):
             if s.absent[j] == 0.0:
@@ -269,10 +241,7 @@ def move(memory: Memory, m: Matrices, s: State, row: FloatArray, missing: bool) 
         return
     count = max(1, ceil(min(h / memory.step_s, STEPS_MOST)))
     for i in range(count):
-        if missing:
-            bridge(m, s, row, h * (count - i) / count, h / count)
-        else:
-            flow(m, s, row, i / count, 1.0 / count)
+        flow(m, s, row, h * (count - i) / count, h / count, missing)
 
 
 @law

@@ -17,7 +17,7 @@ from pointpred_observers.interconnected.persidskii_law import (
     TOO_LONG,
 )
 from pointpred_observers.interconnected.realisation import Realisation
-from pointpred_observers.nonlinearity import Nonlinearity
+from pointpred_observers.plants.nonlinearity import Nonlinearity
 
 
 class PlainLaw:

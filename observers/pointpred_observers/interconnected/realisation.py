@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred_observers.eigenvalues import perron_root
-from pointpred_observers.matrices import dimensions, matrix
+from pointpred_observers.numerics.eigenvalues import perron_root
+from pointpred_observers.numerics.matrices import dimensions, matrix
 
 NAMES = ("N", "L", "J", "K", "R0", "R1", "R", "R2")
 

@@ -1,26 +1,210 @@
-"""The inequalities of assumptions 3.2.3 and 3.2.6, in the user's units and in balanced ones."""
+"""The inequalities of assumptions 3.2.3 and 3.2.6, the constants of 3.2.4, and what excludes every choice.
+
+A motion that grows although f is a matrix of slopes excludes every choice of an assumption's matrices.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
+from pointpred.errors import CertificateError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, form, inward
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.interconnected.generator import Fitted
-from pointpred_observers.interconnected.growing_mode import (
-    ComplexArray,
-    GrowingMode,
-    disc,
-    growing_mode,
-    quadrant,
-    rounding,
-)
-from pointpred_observers.interconnected.sector import SectorBounds
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.eigenvalues import number_text
+from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.plants.generator import Fitted
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Units
+
+ComplexArray = NDArray[np.complex128]
+
+CLOSE = 1e6
+"""How much faster the motion must grow than the rounding of its derivative: a proof for P up to 1e12."""
+TURNS: FloatArray = np.radians([0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 89.0])
+"""Angles of the slopes that are tried, in rad."""
+STARTS = 4
+"""Slopes from where they are improved, beside zero."""
+
+
+class GrowingMode(msgspec.Struct, frozen=True):
+    """x exp(s t) with f = D H x exp(s t), ``value`` = D H x: x' = (a + b D H) x = s x, real part of s > 0.
+
+    ``slopes`` is the diagonal of D; complex slopes turn f by a part of a period against its argument.
+    """
+
+    state: ComplexArray
+    value: ComplexArray
+    slopes: ComplexArray
+    eigenvalue: complex
+    share: float
+    """The real part of s beside the size of a + b D H."""
+
+    def text(self, matrix: str, seconds: float) -> str:
+        """The eigenvalue in 1/s and the slopes; ``seconds`` is the unit of time."""
+        slopes = ", ".join(number_text(complex(one)) for one in self.slopes)
+        at = f" at D = diag({slopes})" if len(self.slopes) else ""
+        return f"{matrix} has the eigenvalue {number_text(self.eigenvalue / seconds)}{at}"
+
+
+Admitted = Callable[[GrowingMode], bool]
+Candidates = tuple[FloatArray, ComplexArray]
+"""Slopes of one component that are tried: real ones, and others if none of them does."""
+
+
+def growing_mode(
+    a: FloatArray, b: FloatArray, h: FloatArray, candidates: list[Candidates], admitted: Admitted
+) -> GrowingMode | None:
+    """A growing motion of x' = a x + b f, f = D h x, with D of the ``candidates`` for each component.
+
+    ``admitted`` says which motions exclude the matrices of the theorem. The slopes are searched component by
+    component for the largest growth beside the size of a + b D h, real ones first: with them the plant itself
+    is unstable. That no motion is found proves nothing.
+
+    Shapes: ``a`` (n, n), ``b`` (n, k), ``h`` (k, n).
+
+    >>> a, b, h = np.array([[-1.0]]), np.array([[2.0]]), np.array([[1.0]])
+    >>> growing_mode(a, b, h, [disc(0.4)], lambda mode: True) is None
+    True
+    >>> growing_mode(a, b, h, [disc(1.0)], lambda mode: True).text("a + b D h", 1.0)
+    'a + b D h has the eigenvalue 0.199999 at D = diag(0.599999)'
+    """
+    for i in range(2):
+        mode = _search(a, b, h, [one[i] for one in candidates], admitted)
+        if mode is not None:
+            return mode
+    return None
+
+
+def disc(radius: float) -> Candidates:
+    """Slopes that keep the sign of f, Re(d) >= 0, up to this size: the real ones, then all."""
+    sizes = np.asarray(0.999999 * radius * np.arange(11) / 10.0, np.float64)
+    return sizes, np.concatenate([_turned(sizes, TURNS), _turned(sizes[1:], -TURNS[1:])])
+
+
+def quadrant(unit: float) -> Candidates:
+    """Slopes d with Re(d) >= 0 and Im(d) >= 0, of sizes around ``unit``: the real ones, then all."""
+    sizes = np.concatenate([[0.0], unit * np.logspace(-4.0, 6.0, 41)])
+    return sizes, _turned(sizes, TURNS)
+
+
+def _turned(sizes: FloatArray, angles: FloatArray) -> ComplexArray:
+    return np.outer(sizes, np.exp(1j * angles)).ravel()
+
+
+def _search(
+    a: FloatArray, b: FloatArray, h: FloatArray, candidates: list[Any], admitted: Admitted
+) -> GrowingMode | None:
+    """The best motion for slopes of these candidates, improved component by component."""
+    k, random = len(candidates), np.random.default_rng(0)
+    starts = [np.array([one[0] for one in candidates])]
+    starts += [np.array([random.choice(one) for one in candidates]) for _ in range(STARTS if k > 1 else 0)]
+    best: GrowingMode | None = None
+    for slopes in starts:
+        for i in [*range(k), *range(k)] if k > 1 else range(1):
+            tried = np.tile(slopes, (len(candidates[i]) if k else 1, 1))
+            if k:
+                tried[:, i] = candidates[i]
+            fastest, mode = _fastest(a, b, h, tried, admitted)
+            slopes = fastest
+            if mode is not None and (best is None or mode.share > best.share):
+                best = mode
+    return best
+
+
+def _fastest(
+    a: FloatArray, b: FloatArray, h: FloatArray, tried: Any, admitted: Admitted
+) -> tuple[Any, GrowingMode | None]:
+    """Of all rows of ``tried`` the one with the largest share of growth, and the best admitted motion."""
+    whole = a + (b * tried[:, None, :]) @ h
+    values, vectors = np.linalg.eig(whole)
+    shares = values.real / np.maximum(np.linalg.norm(whole, axis=(1, 2)), 1e-300)[:, None]
+    order = [np.unravel_index(place, shares.shape) for place in np.argsort(-shares, axis=None)]
+    for i, j in order:
+        if shares[i, j] <= 0.0:
+            break
+        x, s = vectors[i, :, j], complex(values[i, j])
+        mode = GrowingMode(x, tried[i] * (h @ x), tried[i], s, float(shares[i, j]))
+        if _grows(a, b, mode) and admitted(mode):
+            return tried[i], mode
+    return tried[order[0][0]], None
+
+
+def _grows(a: FloatArray, b: FloatArray, mode: GrowingMode) -> bool:
+    """Whether the motion solves its equation so well that it grows whatever P it is measured by.
+
+    Re x*P x' = Re(s) x*P x + Re x*P r with the residual r = a x + b f - s x, and abs(x*P r) is at most
+    sqrt(condition number of P) abs(r) / abs(x) times x*P x. The rounding of r counts as well.
+    """
+    x, f = mode.state, mode.value
+    residual = np.abs(a @ x + b @ f - mode.eigenvalue * x) + rounding((a, x), (b, f))
+    return mode.eigenvalue.real * float(np.linalg.norm(x)) > CLOSE * float(np.linalg.norm(residual))
+
+
+def rounding(*products: tuple[FloatArray, ComplexArray]) -> FloatArray:
+    """The largest error of a sum of matrices times vectors, by component."""
+    terms = sum(np.abs(matrix) @ np.abs(vector) for matrix, vector in products)
+    length = sum(len(vector) for _, vector in products) + 2
+    return np.asarray(length * np.finfo(np.float64).eps * terms, np.float64)
+
+
+class SectorBounds(msgspec.Struct, frozen=True):
+    """The constants of Assumption 3.2.4: ``Sigma1``, ``Psi1`` (n, n), the others diagonal (k, k)."""
+
+    Sigma1: FloatArray
+    Psi1: FloatArray
+    Sigma2: FloatArray
+    Sigma3: FloatArray
+    Sigma4: FloatArray
+    Psi2: FloatArray
+
+
+def sector_bounds(plant: Plant, **values: Any) -> SectorBounds:
+    """The constants that slopes of at most b_j imply, Sigma1 = Psi1 = H' diag(b^2) H, or those passed.
+
+    Raises ParameterError where slopes are missing, unbounded or negative (Assumption 3.2.5 needs an f that
+    increases), CertificateError where the passed Sigma1 or Psi1 lie below those that the slopes imply; that
+    is sufficient for Assumption 3.2.4 and, with the other constants zero, necessary where the slopes are
+    reached.
+
+    >>> from pointpred_observers import Persidskii
+    >>> plant = Persidskii(-np.eye(2), [0.0, 1.0], [0.0, 2.0], "tanh")
+    >>> sector_bounds(plant).Sigma1.tolist()
+    [[0.0, 0.0], [0.0, 4.0]]
+    """
+    plant = as_plant(plant)
+    slopes = np.array(plant.slopes if plant.slopes is not None else [], np.float64).reshape(-1, 2)
+    if len(slopes) != plant.k or not np.isfinite(slopes).all():
+        raise ParameterError(f"Assumption 3.2.4 needs bounded slopes, received {plant.slopes}")
+    if (slopes < 0.0).any():
+        raise ParameterError(
+            f"Assumption 3.2.5 needs an f that increases, received slopes {plant.slopes}: give those of a "
+            "domain on which it does"
+        )
+    least: FloatArray = plant.H.T @ np.diag(slopes[:, 1] ** 2) @ plant.H
+    n, k = plant.n, plant.k
+    shapes = {"Sigma1": n, "Psi1": n, "Sigma2": k, "Sigma3": k, "Sigma4": k, "Psi2": k}
+    if set(values) - set(shapes):
+        raise ParameterError(f"the constants are {', '.join(shapes)}, received {', '.join(values)}")
+    default = {"Sigma1": least, "Psi1": least}
+    constants = {
+        name: matrix(name, values[name], size, size)
+        if name in values
+        else default.get(name, np.zeros((k, k)))
+        for name, size in shapes.items()
+    }
+    for name in ("Sigma1", "Psi1"):
+        below = float(np.linalg.eigvalsh(constants[name] - least).min())
+        if below < -1e-9 * max(1.0, float(np.abs(least).max(initial=0.0))):
+            reason = f"{name} - H' diag(b^2) H has the eigenvalue {below:.6g}, must be >= 0"
+            raise CertificateError(f"Assumption 3.2.4: {reason}")
+    return SectorBounds(**constants)
 
 
 class Regulated(msgspec.Struct, frozen=True):
@@ -44,15 +228,13 @@ class Regulated(msgspec.Struct, frozen=True):
         q, k = tilde.shape
         problem = MatrixInequalities("Assumption 3.2.3").positive("P", q).symmetric("Gamma", q)
         problem.symmetric("Xi", q)
-        for name in ("Omega", "Lambda") if k else ():
-            problem.diagonal(name, k)
+        problem.diagonal("Omega", k).diagonal("Lambda", k)
 
         def block(v: Any) -> FloatArray:
-            weight = weights(v, "Lambda", k)
             upper = s.T @ v.P + v.P @ s + v.Xi
-            across = v.P @ tilde + s.T @ j.T @ weight + j.T @ weights(v, "Omega", k)
-            middle = tilde.T @ j.T @ weight + weight @ j @ tilde
-            lift, none = j.T @ weight, np.zeros((q, q))
+            across = v.P @ tilde + s.T @ j.T @ v.Lambda + j.T @ v.Omega
+            middle = tilde.T @ j.T @ v.Lambda + v.Lambda @ j @ tilde
+            lift, none = j.T @ v.Lambda, np.zeros((q, q))
             return np.block(
                 [
                     [upper, across, v.P, v.P],
@@ -64,7 +246,7 @@ class Regulated(msgspec.Struct, frozen=True):
 
         problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
         problem.above("Xi", lambda v: v.Xi, strict=False)
-        return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ weights(v, "Omega", k) @ j)
+        return problem.above("Xi + J' Omega J", lambda v: v.Xi + j.T @ v.Omega @ j)
 
     def growing(self) -> tuple[str, GrowingMode | None]:
         """A motion that excludes every choice, if one is found, and the matrix that has it.
@@ -94,15 +276,10 @@ class Regulated(msgspec.Struct, frozen=True):
             inward(self.s, x, x, t), inward(self.tilde, x, f, t), inward(self.j, units.arguments, x)
         )
 
-    def outward(self, values: dict[str, Any], units: Coordinates) -> dict[str, Any]:
-        """Matrices of the balanced inequalities in the user's units."""
-        x, t = units.states, units.seconds
-        return {
-            "P": form(values["P"], x),
-            "Gamma": form(values["Gamma"], x, 1.0 / t),
-            "Xi": form(values["Xi"], x, t),
-            **{name: values[name] / unit for name, unit in (("Omega", t), ("Lambda", 1.0)) if name in values},
-        }
+    def measured(self, units: Coordinates) -> Units:
+        """The units of the matrices."""
+        form, t = np.outer(units.states, units.states), units.seconds
+        return {"P": form, "Gamma": form / t, "Xi": t * form, "Omega": t, "Lambda": 1.0}
 
 
 class Followed(msgspec.Struct, frozen=True):
@@ -126,10 +303,7 @@ class Followed(msgspec.Struct, frozen=True):
         a0, a1, h, bound = self.a0, self.a1, self.h, self.sector
         n, k = a1.shape
         problem = MatrixInequalities("Assumption 3.2.6").positive("P", n).symmetric("Gamma", n)
-        problem.symmetric("Xi", n)
-        if not k:
-            return _linear(problem, a0)
-        problem.number("gamma1").number("gamma2")
+        problem.symmetric("Xi", n).number("gamma1").number("gamma2")
         for name in ("Lambda", "Omega1", "Omega2", "Upsilon"):
             problem.diagonal(name, k)
 
@@ -201,14 +375,11 @@ class Followed(msgspec.Struct, frozen=True):
             sector,
         )
 
-    def outward(self, values: dict[str, Any], units: Coordinates) -> dict[str, Any]:
-        """Matrices of the balanced inequalities in the user's units."""
-        x, t = units.states, units.seconds
-        forms = {"P": form(values["P"], x), "Gamma": form(values["Gamma"], x, 1.0 / t)}
-        names = ("gamma1", "gamma2", "Omega1", "Omega2", "Upsilon")
-        rates = {name: values[name] / t for name in names if name in values}
-        lift = {name: values[name] for name in ("Lambda",) if name in values}
-        return {**forms, "Xi": form(values["Xi"], x, t), **lift, **rates}
+    def measured(self, units: Coordinates) -> Units:
+        """The units of the matrices."""
+        form, t = np.outer(units.states, units.states), units.seconds
+        rates = dict.fromkeys(("gamma1", "gamma2", "Omega1", "Omega2", "Upsilon"), t)
+        return {"P": form, "Gamma": form / t, "Xi": t * form, "Lambda": 1.0, **rates}
 
 
 def _agree(f: ComplexArray, other: ComplexArray, error: FloatArray) -> bool:
@@ -225,18 +396,3 @@ def _steepest(psi: FloatArray, row: FloatArray) -> float:
 
 def _size(matrix: FloatArray) -> float:
     return float(np.linalg.norm(matrix))
-
-
-def weights(v: Any, name: str, k: int) -> FloatArray:
-    """A diagonal unknown, or the empty matrix where there is no f."""
-    return np.asarray(getattr(v, name) if k else np.zeros((0, 0)), np.float64)
-
-
-def _linear(problem: MatrixInequalities, a0: FloatArray) -> MatrixInequalities:
-    """Assumption 3.2.6 and the condition of Theorem 3.2.3 where there is no f."""
-
-    def block(v: Any) -> FloatArray:
-        return np.block([[a0.T @ v.P + v.P @ a0 + v.Xi, v.P], [v.P, -v.Gamma]])
-
-    problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
-    return problem.above("R1 + H'(R2 + R3) H", lambda v: v.Xi)

@@ -2,25 +2,61 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 import msgspec
 import numpy as np
 
-from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.equalities import TOLERANCE, share_of_terms
-from pointpred_observers.interconnected.design import ObserverDesign, design_observer
-from pointpred_observers.interconnected.generator import Generator, fitted
-from pointpred_observers.interconnected.regulator_equations import RegulatorEquations, regulator_equations
-from pointpred_observers.interconnected.state_feedback import StateFeedback, design_state_feedback
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import positive
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.interconnected.design import (
+    DrivenDocument,
+    DrivenObserver,
+    driven,
+    require_map,
+)
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
+from pointpred_observers.interconnected.regulator_equations import (
+    RegulatorEquations,
+    checked_equations,
+    regulator_equations,
+)
+from pointpred_observers.interconnected.simulation import closed, like
+from pointpred_observers.interconnected.state_feedback import (
+    StateFeedback,
+    closed_system,
+    design_state_feedback,
+)
+from pointpred_observers.numerics.equalities import TOLERANCE, share_of_terms
+from pointpred_observers.numerics.matrices import matrix, positive
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.documents import GeneratorDocument, PlantDocument
+from pointpred_observers.plants.entries import (
+    Document,
+    Functions,
+    Rows,
+    Values,
+    entries,
+    matrices_of,
+    plain,
+)
+from pointpred_observers.plants.generator import (
+    Fitted,
+    Generator,
+    fitted,
+    require_same_nonlinearity,
+)
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.bounds import ErrorBound
+from pointpred_observers.proofs.decay import certified_decay
+from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting
 
 
-class RegulatorDesign(msgspec.Struct, frozen=True):
-    """A regulator for ``regulator_stage``, and what proves that x follows Pi w.
+class Regulator(Observer, msgspec.Struct, frozen=True):
+    """A regulator, and what proves that x follows Pi w.
 
     ``observer`` certifies z = x - Pi w: z' = (A0 - Pi G C0) z + (A1 - Pi G C1) df + d - Pi G v, its bound's
     ``w`` being d and its ``v`` the noise v. ``feedback`` certifies Pi w, driven by Pi G (C0 z + C1 df + v): a
@@ -28,79 +64,142 @@ class RegulatorDesign(msgspec.Struct, frozen=True):
     reference's, and ``equations`` are those that they satisfy.
     """
 
+    kind: ClassVar[str] = "regulator"
+
     plant: Persidskii
     regulator: Generator
     Pi: FloatArray
-    observer: ObserverDesign
+    observer: DrivenObserver
     feedback: StateFeedback
     equations: RegulatorEquations | None = None
 
+    @property
+    def margins(self) -> dict[str, float]:
+        """Those of the observer and of the feedback."""
+        parts = {"observer": self.observer.margins, "feedback": self.feedback.certificate.margins}
+        return {f"{part}: {name}": one for part, each in parts.items() for name, one in each.items()}
 
-def design_regulator(
-    plant: Plant,
-    *,
-    decay: float = 1.0,
-    observer_decay: float | None = None,
-    L1: Any = None,
-    reference: Generator | None = None,
-    following: tuple[Any, Any] | None = None,
-) -> RegulatorDesign:
-    """A regulator w' = S0 w + S1 f(Jw) + G Y + E rho, u = L0 w + L1 f(Jw), with proofs of its convergence.
+    @property
+    def gap(self) -> float:
+        """That of the observer."""
+        return self.observer.gap
 
-    Without ``reference`` Pi = I: w is an observer of the plant, and u feeds it back:
-    S0 = A0 + B L0 - G C0, S1 = A1 + B L1 - G C1, J = H, E = Q. G comes from ``design_observer``, L0 and L1
-    from ``design_state_feedback``; x - w does not depend on the feedback.
+    @property
+    def bounds(self) -> dict[str, ErrorBound]:
+        """Of x - Pi w, and of Pi w, which x - Pi w and v drive as d; x is their sum."""
+        # The generator of this observer is the plant itself, and what disturbs it, w, is the plant's d.
+        one = self.observer.bound
+        names = tuple("d" if name == "w" else name for name in one.disturbances)
+        error = msgspec.structs.replace(one, disturbances=names)
+        return {"x - Pi w": error, "Pi w": self.feedback.certificate.bound}
 
-    With a ``reference`` r' = Sr r + Er rho and ``following`` = (R, F), R x approaches F r: w = (w1, r), Pi =
-    (I 0), u = K w1 + (Lr - K Pir) r + L1 f(H w1), Pir and Lr from ``regulator_equations``. This needs a
-    nonlinearity that the input can cancel, A1 + B L1 = 0, or none; else R x would have a steady state that is
-    not linear in r.
+    @property
+    def lyapunov(self) -> dict[str, FloatArray]:
+        """One of the observer, and one of the feedback."""
+        return {"observer: ": self.observer.values["P"], "feedback: ": self.feedback.certificate.P}
 
-    Proves more than Corollary 3.2.2 (global where the slopes are, slopes that change sign allowed) by other
-    conditions; ``certify_tracking`` may refuse what is proved here, as its Assumption 3.2.3 needs J S~ < 0.
+    @property
+    def chosen(self) -> dict[str, FloatArray]:
+        """Of the observer, and of the feedback."""
+        return {"G": self.observer.gain, "L0": self.feedback.L0}
 
-    Parameters: ``decay`` in 1/s (1/step) of the closed loop and, unless ``observer_decay`` is given, of x -
-    w; ``L1`` as for ``design_state_feedback``.
-    Raises InfeasibleError naming an undetectable mode, a mode that no input moves, or the equality of the
-    reference that cannot hold; what the solver raises; ParameterError.
+    @classmethod
+    def design(
+        cls,
+        plant: Plant,
+        *,
+        decay: float = 1.0,
+        observer_decay: float | None = None,
+        L1: Any = None,
+        reference: Generator | None = None,
+        following: tuple[Any, Any] | None = None,
+    ) -> Regulator:
+        """The regulator w' = S0 w + S1 f(Jw) + G Y + E rho, u = L0 w + L1 f(Jw), with proofs.
 
-    Reference: Khalin 2022, section 3.2.3, (3.8), (3.12)-(3.15).
+        Without ``reference`` Pi = I: w is an observer of the plant, and u feeds it back: S0 = A0 + B L0 - G
+        C0, S1 = A1 + B L1 - G C1, J = H, E = Q. G comes from ``driven``, L0 and L1 from
+        ``design_state_feedback``; x - w does not depend on the feedback.
 
-    >>> a0, b = [[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0]
-    >>> mass = Persidskii(a0, [0.0, 1.0], [1.0, 0.0], "sin", b, None, [1.0, 0.0])
-    >>> design = design_regulator(mass, decay=1.0)
-    >>> min(design.observer.margins.values()) > 0.0, min(design.feedback.certificate.margins.values()) > 0.0
-    (True, True)
-    """
-    one, decay = as_plant(plant), positive("decay", decay)
-    faster = decay if observer_decay is None else positive("observer_decay", observer_decay)
-    if (reference is None) != (following is None):
-        raise ParameterError("give reference and following = (R, F) together: R x is to follow F r")
-    copied = Generator(one.A0, one.A1, one.H, E=one.Q)
-    observer = design_observer(one, copied, np.eye(one.n), decay=faster)
-    if reference is None:
-        feedback = design_state_feedback(one, decay=decay, L1=L1)
-        return RegulatorDesign(
-            one, _regulator(one, observer.gain, feedback), np.eye(one.n), observer, feedback
+        With a ``reference`` r' = Sr r + Er rho and ``following`` = (R, F), R x approaches F r: w = (w1, r),
+        Pi = (I 0), u = K w1 + (Lr - K Pir) r + L1 f(H w1), Pir and Lr from ``regulator_equations``. This
+        needs a nonlinearity that the input can cancel, A1 + B L1 = 0, or none; else R x would have a steady
+        state that is not linear in r.
+
+        Proves more than Corollary 3.2.2 (global where the slopes are, slopes that change sign allowed) by
+        other conditions; ``certify_tracking`` may refuse what is proved here, as its Assumption 3.2.3 needs J
+        S~ < 0.
+
+        Parameters: ``decay`` in 1/s (1/step) of the closed loop and, unless ``observer_decay`` is given, of x
+        - w; ``L1`` as for ``design_state_feedback``. Raises InfeasibleError naming an undetectable mode, a
+        mode that no input moves, or the equality of the reference that cannot hold; what the solver raises;
+        ParameterError.
+
+        Reference: Khalin 2022, section 3.2.3, (3.8), (3.12)-(3.15).
+        """
+        one, decay = as_plant(plant), positive("decay", decay)
+        faster = decay if observer_decay is None else positive("observer_decay", observer_decay)
+        if (reference is None) != (following is None):
+            raise ParameterError("give reference and following = (R, F) together: R x is to follow F r")
+        copied = Generator(one.A0, one.A1, one.H, E=one.Q)
+        observer = driven(one, copied, np.eye(one.n), decay=faster)
+        if reference is None:
+            feedback = design_state_feedback(one, decay=decay, L1=L1)
+            return cls(one, _regulator(one, observer.gain, feedback), np.eye(one.n), observer, feedback)
+        if reference.S1 is not None and reference.S1.any():
+            raise ParameterError(
+                "a reference is linear, r' = Sr r + Er rho, received one with S1 other than 0", field="S1"
+            )
+        equations = regulator_equations(one, reference, following=following)
+        cancelling = equations.L1 if L1 is None else L1
+        feedback = design_state_feedback(one, decay=decay, L1=cancelling)
+        left, terms = (
+            one.A1 + one.B @ feedback.L1,
+            np.abs(one.A1) + np.abs(one.B) @ np.abs(feedback.L1),
         )
-    if reference.S1 is not None and reference.S1.any():
-        raise ParameterError(
-            "a reference is linear, r' = Sr r + Er rho, received one with S1 other than 0", field="S1"
+        if not share_of_terms(left, terms) <= TOLERANCE:
+            raise InfeasibleError(
+                f"a reference needs A1 + B L1 = 0, its residual is {np.abs(left).max():.6g}: f is not "
+                "cancelled, and the steady state is not linear in r"
+            )
+        regulator, pi = _servo(one, observer.gain, feedback, reference, equations)
+        return cls(one, regulator, pi, observer, feedback, equations)
+
+    def error_system(self) -> ErrorSystem:
+        """That of x - Pi w."""
+        return self.observer.error_system()
+
+    def stage(self, *, estimate: bool = False, **settings: Any) -> PersidskiiStage:
+        """Regulator (3.8): inputs are Y, then rho; it returns u, and behind it Pi w if ``estimate``."""
+        return regulator_stage(self.plant, self.regulator, self.Pi if estimate else None, **settings)
+
+    def simulated(self, plant: Any, setting: Setting) -> Simulation:
+        """The plant under its regulator."""
+        return closed(like(plant, self.plant), self.regulator, self.Pi, setting)
+
+    def document(self) -> RegulatorDocument:
+        """Its observer, plant and feedback, and the regulator with its map."""
+        feedback, solved = self.feedback, self.equations
+        return RegulatorDocument(
+            observer=self.observer.document(),
+            regulator=GeneratorDocument.of(self.regulator),
+            Pi=entries(self.Pi),
+            plant=PlantDocument.of(self.plant),
+            feedback=Feedback(
+                L0=entries(feedback.L0),
+                L1=entries(feedback.L1),
+                decay=feedback.certificate.bound.decay,
+                certificate=plain(feedback.certificate.values),
+            ),
+            equations=None
+            if solved is None
+            else Equations(
+                Pi=entries(solved.Pi),
+                L0=entries(solved.L0),
+                L1=entries(solved.L1),
+                R=entries(solved.R),
+                F=entries(solved.F),
+            ),
         )
-    equations = regulator_equations(one, reference, following=following)
-    cancelling = equations.L1 if L1 is None else L1
-    feedback = design_state_feedback(one, decay=decay, L1=cancelling)
-    left, terms = (
-        one.A1 + one.B @ feedback.L1,
-        np.abs(one.A1) + np.abs(one.B) @ np.abs(feedback.L1),
-    )
-    if not share_of_terms(left, terms) <= TOLERANCE:
-        raise InfeasibleError(
-            f"a reference needs A1 + B L1 = 0, its residual is {np.abs(left).max():.6g}: f is not cancelled, "
-            "and the steady state is not linear in r"
-        )
-    regulator, pi = _servo(one, observer.gain, feedback, reference, equations)
-    return RegulatorDesign(one, regulator, pi, observer, feedback, equations)
 
 
 def _regulator(plant: Persidskii, gain: FloatArray, feedback: StateFeedback) -> Generator:
@@ -133,3 +232,99 @@ def _servo(
         feedback.L1,
         np.vstack([plant.Q, r.E]),
     ), pi
+
+
+class Feedback(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A ``StateFeedback``: u = L0 x + L1 f(Hx), and what proves its decay."""
+
+    L0: Rows
+    L1: Rows | None
+    decay: float
+    certificate: Values
+
+
+class Equations(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """``RegulatorEquations``: the matrices, of which everything else is computed again."""
+
+    Pi: Rows
+    L0: Rows
+    L1: Rows | None
+    R: Rows
+    F: Rows
+
+
+class RegulatorDocument(Document, tag="regulator", frozen=True):
+    """A ``Regulator``: its observer with the plant, its feedback, and the regulator with its map."""
+
+    observer: DrivenDocument
+    regulator: GeneratorDocument
+    Pi: Rows
+    plant: PlantDocument
+    feedback: Feedback
+    equations: Equations | None = None
+
+    def made(self, functions: Functions) -> Regulator:
+        """The design: both proofs audited, and whether the regulator is the one that they speak of."""
+        plant, regulator = self.plant.made(functions), self.regulator.made(functions)
+        observer, pi = self.observer.made(functions), matrix("Pi", self.Pi, plant.n, regulator.q)
+        _require_plant(observer, plant)
+        require_same_nonlinearity(plant, regulator, pi, "regulator")
+        require_map(plant, regulator, pi)
+        l0 = matrix("L0", self.feedback.L0, plant.m, plant.n)
+        l1 = (
+            np.zeros((plant.m, plant.k))
+            if self.feedback.L1 is None
+            else matrix("L1", self.feedback.L1, plant.m)
+        )
+        g = regulator.beside(plant)
+        own = {"G": (g.G[: plant.n], observer.gain), "L0": (g.L0[:, : plant.n], l0), "L1": (g.L1, l1)}
+        for name, (left, right) in own.items():
+            if not np.array_equal(left, right):
+                raise CertificateError(
+                    f"{name} of the regulator is not the {name} that was certified", field=name
+                )
+        system = closed_system(plant, l0, l1)
+        numbers = tuple(f"bound_{i}" for i in range(len(system.disturbances)))
+        values = matrices_of(self.feedback.certificate, {"P": (plant.n, plant.n)}, numbers)
+        proof = certified_decay(system, values, self.feedback.decay)
+        return Regulator(
+            plant, regulator, pi, observer, StateFeedback(l0, l1, proof), self._equations(plant, g, l0)
+        )
+
+    def _equations(self, plant: Persidskii, g: Fitted, l0: FloatArray) -> RegulatorEquations | None:
+        """The equations, checked: the reference's states are the last ones of the regulator."""
+        solved = self.equations
+        if solved is None:
+            return None
+        s0 = g.S0[plant.n :, plant.n :]
+        l1 = np.zeros((plant.m, plant.k)) if solved.L1 is None else solved.L1
+        checked = checked_equations(plant, s0, solved.Pi, solved.L0, l1, solved.R, solved.F)
+        straight = g.L0[:, plant.n :]
+        terms = np.abs(straight) + np.abs(checked.L0) + np.abs(l0) @ np.abs(checked.Pi)
+        if not share_of_terms(straight - checked.L0 + l0 @ checked.Pi, terms) <= TOLERANCE:
+            raise CertificateError(
+                "L0 of the regulator does not apply the L0 and Pi of its equations: design it again",
+                field="equations.L0",
+            )
+        return checked
+
+
+def _require_plant(observer: DrivenObserver, plant: Persidskii) -> None:
+    """Raise CertificateError unless the observer estimates the states of this very plant."""
+    own, ours = observer.plant.matrices(0.0), plant.matrices(0.0)
+    different = [name for name in own if not np.array_equal(own[name], ours[name])]
+    settings = ("time", "domain", "slopes")
+    different += [name for name in settings if getattr(observer.plant, name) != getattr(plant, name)]
+    if observer.plant.f.codes != plant.f.codes:
+        different.append("f")
+    if not np.array_equal(observer.Pi, np.eye(plant.n)):
+        raise CertificateError(
+            "the observer's Pi is not the identity: a regulator's observer estimates the plant's own states",
+            field="observer.Pi",
+        )
+    if different:
+        raise CertificateError(
+            f"{different[0]} of observer.plant is not the {different[0]} of plant: both must be the plant "
+            "that the regulator was designed for, design it again",
+            field=f"observer.plant.{different[0]}",
+        )

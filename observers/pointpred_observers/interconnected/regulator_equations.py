@@ -9,12 +9,12 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.eigenvalues import number_text
-from pointpred_observers.equalities import TOLERANCE, nearest_solutions, share_of_terms
-from pointpred_observers.interconnected.generator import Generator, fitted, require_same_nonlinearity
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import matrix, share
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.numerics.eigenvalues import number_text
+from pointpred_observers.numerics.equalities import TOLERANCE, nearest_solutions, share_of_terms
+from pointpred_observers.numerics.matrices import matrix, share
+from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
 
 
 class RegulatorEquations(msgspec.Struct, frozen=True):

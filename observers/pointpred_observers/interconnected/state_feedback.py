@@ -10,16 +10,17 @@ import numpy as np
 
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import balanced, inward, outward
-from pointpred_observers.detectability import undetectable, vertices
-from pointpred_observers.eigenvalues import number_text
-from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred_observers.error_systems.system import ErrorSystem, sloped_system
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import matrix, positive
-from pointpred_observers.persidskii import Persidskii
-from pointpred_observers.rounding import without_rounding
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.eigenvalues import number_text, undetectable, vertices
+from pointpred_observers.numerics.equalities import NO_DIGIT, without_rounding
+from pointpred_observers.numerics.matrices import matrix, positive
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
+from pointpred_observers.proofs.definite import solved
+from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Posed, search
 
 ROOM = 1.01
 """The feedback is designed for a decay larger by this factor than the certified one."""
@@ -62,7 +63,7 @@ def design_state_feedback(
 
     >>> mass = Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0])
     >>> feedback = design_state_feedback(mass, decay=1.0)
-    >>> round(feedback.certificate.bound.rate, 6), min(feedback.certificate.margins.values()) > 0.0
+    >>> round(feedback.certificate.bound.decay, 6), min(feedback.certificate.margins.values()) > 0.0
     (1.0, True)
     """
     decay = positive("decay", decay)
@@ -73,9 +74,7 @@ def design_state_feedback(
         raise ParameterError("a feedback needs an input: give the plant a B other than 0", field="B")
     fixed = None if L1 is None else matrix("L1", L1, one.m, one.k)
     _require_stabilisable(one, fixed)
-    l0, l1 = _gains(one, ROOM * decay, fixed)
-    certificate = certify_decay(closed_system(one, l0, l1), decay=decay)
-    return StateFeedback(l0, l1, certificate)
+    return _feedback(one, decay, fixed)
 
 
 def closed_system(plant: Persidskii, L0: FloatArray, L1: FloatArray) -> ErrorSystem:
@@ -105,34 +104,50 @@ def _require_stabilisable(plant: Persidskii, l1: FloatArray | None) -> None:
             )
 
 
-def _gains(plant: Persidskii, decay: float, fixed: FloatArray | None) -> tuple[FloatArray, FloatArray]:
-    """L0 and L1 in the user's units, from a problem in balanced ones."""
+def _feedback(plant: Persidskii, decay: float, fixed: FloatArray | None) -> StateFeedback:
+    """The feedback of least input for a decay that is a little larger, whose closed loop is certified."""
     l1 = np.zeros((plant.m, plant.k)) if fixed is None else fixed
     a1 = without_rounding(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
     middle, half = _slopes(plant) if a1.any() else (np.zeros(plant.k), np.zeros(plant.k))
     slope = middle[:, None] * plant.H if a1.any() else np.zeros((plant.k, plant.n))
     used = (half > 0.0) & a1.any(axis=0)  # elsewhere f is linear, or has no effect
     drift, driven, inner = plant.A0 + a1 @ slope, a1[:, used], half[used, None] * plant.H[used]
+    free = fixed is None and bool(used.any())
+
+    def posed(units: Coordinates) -> Posed:
+        x, f, t = units.states, units.values, units.seconds
+        b = inward(plant.B, x, np.ones(plant.m), t)
+        u = 1.0 / np.where(b.any(axis=0), np.abs(b).max(axis=0, initial=0.0), 1.0)
+        scaled = (inward(drift, x, x, t), b * u, inward(driven, x, f, t), inward(inner, f, x))
+        measured = {
+            "X": 1.0 / np.outer(x, x),
+            "Y": 1.0 / np.outer(u, x),
+            "Z": 1.0 / np.outer(u, f),
+            "T": 1.0 / np.outer(f, f),
+        }
+        problem = _inequalities(*scaled, ROOM * decay * t, plant.time, free=free)
+        return Posed(problem, measured, lambda v: v.size)
+
+    def audited(values: dict[str, Any], _: float) -> StateFeedback:
+        l0, whole = solved(values["X"], values["Y"].T).T, l1.copy()
+        sizes = np.sqrt(np.diag(values["X"]))
+        terms = np.abs(l0 * sizes).max(axis=1, initial=0.0)[:, None] / sizes
+        l0 = without_rounding(l0, terms, share=NO_DIGIT)
+        if free:
+            whole[:, used] = values["Z"] / np.diag(values["T"])
+            l0 = l0 - whole @ slope
+        return StateFeedback(l0, whole, certify_decay(closed_system(plant, l0, whole), decay=decay))
+
     units = balanced(
         drift,
         driven=driven,
         inner=inner,
         moved=plant.B,
         slopes=((0.0, 1.0),) * len(inner),
-        rates=(decay,),
+        rates=(ROOM * decay,),
         time=plant.time,
     )
-    x, f, t = units.states, units.values, units.seconds
-    b = inward(plant.B, x, np.ones(plant.m), t)
-    inputs = 1.0 / np.where(b.any(axis=0), np.abs(b).max(axis=0, initial=0.0), 1.0)
-    scaled = (inward(drift, x, x, t), b * inputs, inward(driven, x, f, t), inward(inner, f, x))
-    free = fixed is None and bool(used.any())
-    y, z = _solved(*scaled, decay * t, plant.time, free=free)
-    l0 = outward(y, inputs, x)
-    if free:
-        l1[:, used] = outward(z, inputs, f)
-        l0 = l0 - l1 @ slope
-    return l0, l1
+    return search(units, posed, audited)
 
 
 def _slopes(plant: Persidskii) -> tuple[FloatArray, FloatArray]:
@@ -142,7 +157,7 @@ def _slopes(plant: Persidskii) -> tuple[FloatArray, FloatArray]:
     return 0.5 * (low + high), 0.5 * (high - low)
 
 
-def _solved(
+def _inequalities(
     a: FloatArray,
     b: FloatArray,
     a1: FloatArray,
@@ -151,45 +166,33 @@ def _solved(
     time: str,
     *,
     free: bool,
-) -> tuple[FloatArray, FloatArray]:
-    """L0 + L1 m H and L1 for abs(df_j) <= abs(h_j x), the least input over the ellipsoid."""
+) -> MatrixInequalities:
+    """The condition for abs(df_j) <= abs(h_j x), and the size of the input over the ellipsoid."""
+    from scipy.linalg import block_diag
+
     (n, m), k = b.shape, a1.shape[1]
     problem = MatrixInequalities("state feedback").positive("X", n).free("Y", m, n).number("size")
-    if k:
-        problem.diagonal("T", k).above("T > 0", lambda v: v.T)
+    problem.diagonal("T", k).above("T > 0", lambda v: v.T)
     if free:
         problem.free("Z", m, k)
 
-    def weights(v: Any) -> FloatArray:
-        return np.asarray(v.T) if k else np.zeros((0, 0))
-
     def onward(v: Any) -> FloatArray:
-        driven = a1 @ weights(v) + (b @ v.Z if free else 0.0)
-        return np.hstack([a @ v.X + b @ v.Y, driven])
+        return np.hstack([a @ v.X + b @ v.Y, a1 @ v.T + (b @ v.Z if free else 0.0)])
 
     def continuous(v: Any) -> FloatArray:
         moved = onward(v)
         first = moved[:, :n] + moved[:, :n].T + 2.0 * decay * v.X
         across = np.hstack([moved[:, n:], v.X @ h.T])
-        return np.block([[first, across], [across.T, -np.kron(np.eye(2), weights(v))]])
+        return np.block([[first, across], [across.T, -np.kron(np.eye(2), v.T)]])
 
     def discrete(v: Any) -> FloatArray:
-        before = np.zeros((n + k, n + k))
-        before[:n, :n], before[n:, n:] = -exp(-2.0 * decay) * v.X, -weights(v)
-        after = np.zeros((n + k, n + k))
-        after[:n, :n], after[n:, n:] = -v.X, -weights(v)
         moved = np.vstack([onward(v), np.hstack([h @ v.X, np.zeros((k, k))])])
+        before, after = block_diag(-exp(-2.0 * decay) * v.X, -v.T), block_diag(-v.X, -v.T)
         return np.block([[before, moved.T], [moved, after]])
 
     def input_size(v: Any) -> FloatArray:
         u = np.hstack([v.Y, v.Z if free else np.zeros((m, k))])
-        inside = np.zeros((n + k, n + k))
-        inside[:n, :n], inside[n:, n:] = v.X, weights(v)
-        return np.block([[v.size * np.eye(m), u], [u.T, inside]])
+        return np.block([[v.size * np.eye(m), u], [u.T, block_diag(v.X, v.T)]])
 
     problem.below("the closed loop", discrete if time == "discrete" else continuous)
-    problem.above("the input's size", input_size, strict=False)
-    found = problem.solve(minimise=lambda v: v.size).values
-    l0 = np.linalg.solve(found["X"], found["Y"].T).T
-    l1 = found["Z"] / np.diag(found["T"]) if free else np.zeros((m, k))
-    return np.asarray(l0, np.float64), np.asarray(l1, np.float64)
+    return problem.above("the input's size", input_size, strict=False)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from functools import partial
+from itertools import combinations, islice
 from typing import Any
 
 import msgspec
@@ -10,20 +12,51 @@ import numpy as np
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.equalities import (
+from pointpred_observers.numerics.equalities import (
     TOLERANCE,
     column_units,
     nearest_solutions,
     row_rounding,
     share_of_terms,
 )
-from pointpred_observers.interconnected.generator import Generator, fitted
-from pointpred_observers.interconnected.riccati import invariant_graphs, refined
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import instance, matrix, moments, share
+from pointpred_observers.numerics.matrices import instance, matrix, moments, share
+from pointpred_observers.plants.generator import Generator, fitted
+from pointpred_observers.plants.linear_systems import Plant, as_plant
 
 SHARED = "H Pi - J"
 """The equality of the arguments of f."""
+
+EXACT = 1e-15
+"""Relative change at which a solution is refined no further."""
+SUBSPACES_MOST = 5000
+"""At most so many invariant subspaces are tried, those of the first eigenvalues."""
+
+
+def invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArray) -> list[FloatArray]:
+    """Every isolated solution if the eigenvalues of ((s0, r), (k, a0)) differ, else some of them.
+
+    A Pi is a solution exactly if the columns of (I; Pi) span an invariant subspace.
+    """
+    q = len(s0)
+    whole = np.block([[s0, r], [k, a0]])
+    values, vectors = np.linalg.eig(whole)
+    graphs = []
+    for chosen in _real_choices(values, q):
+        basis = vectors[:, list(chosen)]
+        if np.linalg.cond(basis[:q]) > 1e10:
+            continue
+        pi = basis[q:] @ np.linalg.inv(basis[:q])
+        graphs.append(np.ascontiguousarray(pi.real))
+    return graphs
+
+
+def _real_choices(values: FloatArray, q: int) -> Iterator[tuple[int, ...]]:
+    """Choices of q eigenvalues in which each complex one comes with its conjugate."""
+    for chosen in islice(combinations(range(len(values)), q), SUBSPACES_MOST):
+        upper = sorted((values[i].real, values[i].imag) for i in chosen if values[i].imag > 0.0)
+        lower = sorted((values[i].real, -values[i].imag) for i in chosen if values[i].imag < 0.0)
+        if len(upper) == len(lower) and np.allclose(upper, lower, rtol=1e-9, atol=0.0):
+            yield chosen
 
 
 class SteadyState(msgspec.Struct, frozen=True):
@@ -176,7 +209,7 @@ def steady_state_map(
         candidates = list(nearest_solutions(stacked, slope))
     else:
         started = invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
-        candidates = [refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
+        candidates = [_refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
 
     def shares_left(pi: FloatArray) -> dict[str, float]:
         each = [relative_residuals(one, generator, pi, relaxed=relaxed) for one in plants]
@@ -198,6 +231,15 @@ def steady_state_map(
     basis = _null(slope if linear else _jacobian(stacked, pi.ravel())).reshape(-1, plant.n, g.q)
     worst = {name: _largest(parts) for name, parts in left(pi).items()}
     return SteadyState(pi, plants[0].H @ pi, worst, len(basis), basis, tuple(distinct[1:]))
+
+
+def _refined(stacked: Any, start: FloatArray) -> FloatArray:
+    """The nearest point where every equality holds, or nearly."""
+    from scipy.optimize import least_squares
+
+    close: Any = {"xtol": EXACT, "ftol": EXACT, "gtol": EXACT}
+    found = least_squares(stacked, start, partial(_jacobian, stacked), x_scale="jac", **close)
+    return np.asarray(found.x, np.float64)
 
 
 def _jacobian(stacked: Any, numbers: FloatArray) -> FloatArray:

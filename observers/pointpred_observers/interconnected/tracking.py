@@ -9,21 +9,21 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, least_in_both
-from pointpred_observers.equalities import TOLERANCE
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities, Solution
-from pointpred_observers.interconnected.generator import (
+from pointpred_observers.interconnected.regulated import Followed, Regulated, SectorBounds, sector_bounds
+from pointpred_observers.interconnected.steady_state import relative_residuals
+from pointpred_observers.numerics.balance import Coordinates
+from pointpred_observers.numerics.equalities import TOLERANCE
+from pointpred_observers.numerics.matrices import instance, matrix, share, vector
+from pointpred_observers.plants.generator import (
     Fitted,
     Generator,
     fitted,
     require_same_nonlinearity,
 )
-from pointpred_observers.interconnected.regulated import Followed, Regulated
-from pointpred_observers.interconnected.sector import SectorBounds, sector_bounds
-from pointpred_observers.interconnected.steady_state import relative_residuals
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import instance, matrix, share, vector
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities, Solution
+from pointpred_observers.proofs.search import Posed, search
 
 
 class TrackingCertificate(msgspec.Struct, frozen=True):
@@ -152,14 +152,15 @@ def _require_no_growth(both: dict[str, Regulated | Followed]) -> None:
 
 
 def _certified(one: Regulated | Followed) -> Solution:
-    """Matrices found in balanced units, or where these fail in the user's, and audited in the user's."""
+    """Matrices audited in the user's units."""
 
-    def posed(units: Coordinates) -> Solution:
-        inner = one.inward(units).inequalities().solve()
-        values = one.outward(inner.values, units)
+    def posed(units: Coordinates) -> Posed:
+        return Posed(one.inward(units).inequalities(), one.measured(units))
+
+    def audited(values: dict[str, Any], _: float) -> Solution:
         return Solution(values, one.inequalities().check(values, printed=False))
 
-    return least_in_both(one.units(), posed)
+    return search(one.units(), posed, audited)
 
 
 def closed_loop(plant: Plant, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:

@@ -2,48 +2,18 @@
 #include "laws.h"
 
 static const double records_LATEST_S = 100000000000.0;
-static const double camera_camera_stage_LARGEST_A = 10000.0;
-static const double camera_camera_stage_LARGEST_PX = 1000000.0;
-static const double camera_camera_stage_LARGEST_W = 1000.0;
-static const double camera_camera_stage_SUBSTEP_S = 0.05;
 static const double camera_depth_LARGEST_RATE = 1000.0;
+static const double camera_gravity_AT_REST = 0.1;
 static const double camera_kinematics_SMALL = 0.0001;
 static const double camera_point_filter_NEAREST_M = 0.0001;
 static const double camera_point_filter_RUNNING = 2.0;
 static const double camera_point_filter_STARTING = 1.0;
 static const double camera_point_filter_WAITING = 0.0;
-static const double camera_unknown_input_filter_SPREAD_START = 1.0;
-
-/* A row of a table of samples as a tuple. */
-T9d camera_camera_stage_sample_at(Table rows, int64_t i) {
-  Vector r;
-  r = (Vector){rows.p + i * rows.m, rows.m};
-  return (T9d){r.p[0], r.p[1], r.p[2], r.p[3], r.p[4], r.p[5], r.p[6], r.p[7], r.p[8]};
-}
-
-/* Whether a sample can be used: within the bounds, after the last one and within the longest gap. */
-bool camera_camera_stage_usable(camera_samples_SampleRow sample, double started, double last_t, double gap_s) {
-  double t, x, y, wx, wy, wz, ax, ay, az;
-  t = sample.t;
-  x = sample.x;
-  y = sample.y;
-  wx = sample.wx;
-  wy = sample.wy;
-  wz = sample.wz;
-  ax = sample.ax;
-  ay = sample.ay;
-  az = sample.az;
-  if (!(fabs(t) <= records_LATEST_S && fabs(wx) <= camera_camera_stage_LARGEST_W && fabs(wy) <= camera_camera_stage_LARGEST_W && fabs(wz) <= camera_camera_stage_LARGEST_W)) {
-    return false;
-  }
-  if (!(fabs(ax) <= camera_camera_stage_LARGEST_A && fabs(ay) <= camera_camera_stage_LARGEST_A && fabs(az) <= camera_camera_stage_LARGEST_A)) {
-    return false;
-  }
-  if (!((x != x && y != y) || (fabs(x) <= camera_camera_stage_LARGEST_PX && fabs(y) <= camera_camera_stage_LARGEST_PX))) {
-    return false;
-  }
-  return started != 1.0 || (last_t < t && t <= last_t + gap_s);
-}
+static const double camera_samples_LARGEST_A = 10000.0;
+static const double camera_samples_LARGEST_PX = 1000000.0;
+static const double camera_samples_LARGEST_W = 1000.0;
+static const double camera_samples_SUBSTEP_S = 0.05;
+static const double camera_velocity_SPREAD_START = 1.0;
 
 /* (chi, r)' with r = eta + w_y x - w_x y, the last row of T x: no unknown input in it. */
 T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx, double dwy) {
@@ -74,7 +44,7 @@ void camera_depth_carry(camera_depth_State * state, camera_depth_Measured m, dou
   wz0 = state->wz;
   dwx = (m.wx - wx0) / dt;
   dwy = (m.wy - wy0) / dt;
-  steps = (int64_t)ceil(dt / camera_camera_stage_SUBSTEP_S);
+  steps = (int64_t)ceil(dt / camera_samples_SUBSTEP_S);
   h = dt / steps;
   for (int64_t i = 0; i < steps; i++) {
     chi = state->chi;
@@ -96,7 +66,7 @@ void camera_depth_carry(camera_depth_State * state, camera_depth_Measured m, dou
     }
     state->chi = chi + h / 6.0 * sum_chi;
     state->r = r + h / 6.0 * sum_r;
-    if (!(fabs(state->r) <= camera_depth_LARGEST_RATE && fabs(state->chi) <= camera_camera_stage_LARGEST_PX)) {
+    if (!(fabs(state->r) <= camera_depth_LARGEST_RATE && fabs(state->chi) <= camera_samples_LARGEST_PX)) {
       state->lost = 1.0;
       state->chi = chi;
       state->r = r;
@@ -121,26 +91,48 @@ bool camera_depth_inside(camera_depth_Memory * memory, double zero, double eta) 
   return settings->box[0][0] < 0.0;
 }
 
-/* One ``SampleRow``: t, chi, eta, the zero of chi, detectable, certified, whether there was an image. */
-T7d camera_depth_step(camera_depth_Memory * memory, T9d sample) {
+/* Whether a sample can be used: within the bounds, after the last one and within the longest gap. */
+bool camera_samples_usable(camera_samples_CameraSample sample, double started, double last_t, double gap_s) {
+  double t, x, y, wx, wy, wz, ax, ay, az;
+  t = sample.t;
+  x = sample.x;
+  y = sample.y;
+  wx = sample.wx;
+  wy = sample.wy;
+  wz = sample.wz;
+  ax = sample.ax;
+  ay = sample.ay;
+  az = sample.az;
+  if (!(fabs(t) <= records_LATEST_S && fabs(wx) <= camera_samples_LARGEST_W && fabs(wy) <= camera_samples_LARGEST_W && fabs(wz) <= camera_samples_LARGEST_W)) {
+    return false;
+  }
+  if (!(fabs(ax) <= camera_samples_LARGEST_A && fabs(ay) <= camera_samples_LARGEST_A && fabs(az) <= camera_samples_LARGEST_A)) {
+    return false;
+  }
+  if (!((x != x && y != y) || (fabs(x) <= camera_samples_LARGEST_PX && fabs(y) <= camera_samples_LARGEST_PX))) {
+    return false;
+  }
+  return started != 1.0 || (last_t < t && t <= last_t + gap_s);
+}
+
+/* One sample; a ``Depth`` into ``out``, which is NaN before. */
+void camera_depth_step(camera_depth_Memory * memory, Vector row, Vector out) {
   camera_depth_Settings * settings;
   camera_depth_State * s;
-  camera_samples_SampleRow row;
   double t, x, y, wx, wy, wz, az, flat_x, flat_y, eta, zero;
-  bool image, decays, proved;
+  bool image;
   settings = &memory->settings;
   s = &memory->state;
-  row = camera_samples_SampleRow_of_T9d(sample);
-  if (!camera_camera_stage_usable(row, s->started, s->t, settings->gap_s)) {
-    return (T7d){NAN, NAN, NAN, NAN, 0.0, 0.0, 0.0};
+  t = row.p[0];
+  x = row.p[1];
+  y = row.p[2];
+  wx = row.p[3];
+  wy = row.p[4];
+  wz = row.p[5];
+  az = row.p[8];
+  if (!camera_samples_usable((camera_samples_CameraSample){t, x, y, wx, wy, wz, row.p[6], row.p[7], az}, s->started, s->t, settings->gap_s)) {
+    return;
   }
-  t = row.t;
-  x = row.x;
-  y = row.y;
-  wx = row.wx;
-  wy = row.wy;
-  wz = row.wz;
-  az = row.az;
   image = x == x;
   flat_x = image ? x / settings->focal_px : s->x;
   flat_y = image ? y / settings->focal_px : s->y;
@@ -159,14 +151,20 @@ T7d camera_depth_step(camera_depth_Memory * memory, T9d sample) {
   s->wy = wy;
   s->wz = wz;
   s->az = az;
+  out.p[0] = t;
+  out.p[4] = 0.0;
+  out.p[5] = 0.0;
+  out.p[6] = image ? 1.0 : 0.0;
   if (s->imaged == 0.0 || s->lost == 1.0) {
-    return (T7d){t, NAN, NAN, NAN, 0.0, 0.0, image ? 1.0 : 0.0};
+    return;
   }
   eta = s->r - wy * flat_x + wx * flat_y;
   zero = flat_y * wx - flat_x * wy + eta;
-  decays = zero < -settings->half_sigma && eta < -settings->half_sigma;
-  proved = camera_depth_inside(memory, zero, eta);
-  return (T7d){t, s->chi, eta, zero, decays ? 1.0 : 0.0, proved ? 1.0 : 0.0, image ? 1.0 : 0.0};
+  out.p[1] = s->chi;
+  out.p[2] = eta;
+  out.p[3] = zero;
+  out.p[4] = zero < -settings->decay && eta < -settings->decay ? 1.0 : 0.0;
+  out.p[5] = camera_depth_inside(memory, zero, eta) ? 1.0 : 0.0;
 }
 
 /* A vector in the frame after a rotation in rad: exp(-[turn]) applied to it (Rodrigues). */
@@ -194,6 +192,66 @@ T3d camera_kinematics_back(T3d turn, T3d vector) {
   wy = rz * ux - rx * uz;
   wz = rx * uy - ry * ux;
   return (T3d){x - s * ux + c * wx, y - s * uy + c * wy, z - s * uz + c * wz};
+}
+
+/* A sample, then up there (NaN: not given): the sample without gravity into ``out``, or nothing. */
+void camera_gravity_step(camera_gravity_Memory * memory, Vector row, Vector out) {
+  camera_gravity_Settings * settings;
+  camera_gravity_State * s;
+  double t, wx, wy, wz, ax, ay, az, ux, uy, uz, h, size;
+  T3d turn;
+  settings = &memory->settings;
+  s = &memory->state;
+  t = row.p[0];
+  wx = row.p[3];
+  wy = row.p[4];
+  wz = row.p[5];
+  ax = row.p[6];
+  ay = row.p[7];
+  az = row.p[8];
+  if (!camera_samples_usable((camera_samples_CameraSample){t, row.p[1], row.p[2], wx, wy, wz, ax, ay, az}, s->started, s->t, settings->gap_s)) {
+    return;
+  }
+  ux = row.p[9];
+  uy = row.p[10];
+  uz = row.p[11];
+  if (ux != ux) {
+    if (s->started == 1.0) {
+      h = 0.5 * (t - s->t);
+      turn = (T3d){h * (s->wx + wx), h * (s->wy + wy), h * (s->wz + wz)};
+      T3d values_1 = camera_kinematics_back(turn, (T3d){s->up[0], s->up[1], s->up[2]});
+      ux = values_1.f0;
+      uy = values_1.f1;
+      uz = values_1.f2;
+    } else {
+      ux = settings->up[0];
+      uy = settings->up[1];
+      uz = settings->up[2];
+    }
+  }
+  if (ux == 0.0 && uy == 0.0 && uz == 0.0) {
+    ux = ax;
+    uy = ay;
+    uz = az;
+    if (!(fabs(sqrt(ax * ax + ay * ay + az * az) - settings->g) <= camera_gravity_AT_REST * settings->g)) {
+      return;
+    }
+  }
+  size = sqrt(ux * ux + uy * uy + uz * uz);
+  s->up[0] = ux / size;
+  s->up[1] = uy / size;
+  s->up[2] = uz / size;
+  s->started = 1.0;
+  s->t = t;
+  s->wx = wx;
+  s->wy = wy;
+  s->wz = wz;
+  for (int64_t i = 0; i < 6; i++) {
+    out.p[i] = row.p[i];
+  }
+  for (int64_t i = 0; i < 3; i++) {
+    out.p[6 + i] = row.p[6 + i] - settings->g * s->up[i];
+  }
 }
 
 /* (p, v) after ``h`` s without acceleration: p - h v and v, in the rotated frame. */
@@ -300,6 +358,131 @@ void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double 
   camera_kinematics_add_noise(p, s, gyro, accel);
 }
 
+/* Forget all images: Phi is the identity. */
+void camera_kinematics_begin_start(camera_kinematics_Start * s) {
+  memset(s, 0, sizeof(camera_kinematics_Start));
+  for (int64_t i = 0; i < 6; i++) {
+    s->phi.m[i][i] = 1.0;
+  }
+}
+
+/* Add an image: N += Phi' Q Phi, b -= Phi' Q g, Q = H'H - 2 r e3 e3', H = (1 0 -x; 0 1 -y). */
+WIDE void camera_kinematics_take_image(camera_kinematics_Start * s, double x, double y, double variance) {
+  double corner, g0, g1, g2, a0, a1, a2, q0, q1, q2;
+  corner = x * x + y * y - 2.0 * variance;
+  g0 = s->g[0];
+  g1 = s->g[1];
+  g2 = s->g[2];
+  for (int64_t i = 0; i < 6; i++) {
+    a0 = s->phi.m[0][i];
+    a1 = s->phi.m[1][i];
+    a2 = s->phi.m[2][i];
+    q0 = a0 - x * a2;
+    q1 = a1 - y * a2;
+    q2 = -x * a0 - y * a1 + corner * a2;
+    s->right[i] -= q0 * g0 + q1 * g1 + q2 * g2;
+    for (int64_t j = 0; j < 6; j++) {
+      s->normal.m[i][j] += q0 * s->phi.m[0][j] + q1 * s->phi.m[1][j] + q2 * s->phi.m[2][j];
+    }
+  }
+}
+
+/* Cholesky's lower factor in place; false if the matrix is not safely positive definite. */
+WIDE bool camera_kinematics_factor(camera_kinematics_Matrix * lower) {
+  double own, total;
+  for (int64_t i = 0; i < 6; i++) {
+    own = lower->m[i][i];
+    for (int64_t j = 0, end_1 = i + 1; j < end_1; j++) {
+      total = lower->m[i][j];
+      for (int64_t k = 0; k < j; k++) {
+        total -= lower->m[i][k] * lower->m[j][k];
+      }
+      if (i == j) {
+        if (!(total > 1e-12 * own)) {
+          return false;
+        }
+        lower->m[i][i] = sqrt(total);
+      } else {
+        lower->m[i][j] = total / lower->m[j][j];
+      }
+    }
+  }
+  return true;
+}
+
+/* Solve with Cholesky's factor, the vector in place. */
+WIDE void camera_kinematics_solve(camera_kinematics_Matrix * lower, Vector v) {
+  double total;
+  for (int64_t i = 0; i < 6; i++) {
+    total = v.p[i];
+    for (int64_t k = 0; k < i; k++) {
+      total -= lower->m[i][k] * v.p[k];
+    }
+    v.p[i] = total / lower->m[i][i];
+  }
+  for (int64_t i = 5; i > (-1); i--) {
+    total = v.p[i];
+    for (int64_t k = i + 1; k < 6; k++) {
+      total -= lower->m[k][i] * v.p[k];
+    }
+    v.p[i] = total / lower->m[i][i];
+  }
+}
+
+/* Write the current (p, v) and covariance if the relative error of the depth is at most ``share``. */
+bool camera_kinematics_started(camera_kinematics_Start * s, Vector state, camera_kinematics_Matrix * spread, double variance, double share) {
+  double z0, z, square_, total;
+  for (int64_t i = 0; i < 6; i++) {
+    for (int64_t j = 0; j < 6; j++) {
+      s->lower.m[i][j] = s->normal.m[i][j];
+    }
+  }
+  if (!camera_kinematics_factor(&s->lower)) {
+    return false;
+  }
+  for (int64_t i = 0; i < 6; i++) {
+    double value_1 = s->right[i];
+    double value_2 = s->g[i];
+    s->first[i] = value_1;
+    s->now[i] = value_2;
+  }
+  camera_kinematics_solve(&s->lower, (Vector){s->first, 6});
+  for (int64_t i = 0; i < 6; i++) {
+    for (int64_t j = 0; j < 6; j++) {
+      s->now[i] += s->phi.m[i][j] * s->first[j];
+    }
+  }
+  z0 = s->first[2];
+  z = s->now[2];
+  square_ = (z0 * z0 + z0 * z + z * z) / 3.0;
+  if (!(z0 > 0.0 && z > 0.0)) {
+    return false;
+  }
+  for (int64_t i = 0; i < 6; i++) {
+    for (int64_t j = 0; j < 6; j++) {
+      s->row[j] = s->phi.m[i][j];
+    }
+    camera_kinematics_solve(&s->lower, (Vector){s->row, 6});
+    for (int64_t j = 0; j < 6; j++) {
+      total = 0.0;
+      for (int64_t k = 0; k < 6; k++) {
+        total += s->row[k] * s->phi.m[j][k];
+      }
+      s->spread.m[i][j] = total * variance * square_ + s->noise.m[i][j];
+    }
+  }
+  if (!(s->spread.m[2][2] < square(share * z))) {
+    return false;
+  }
+  for (int64_t i = 0; i < 6; i++) {
+    state.p[i] = s->now[i];
+    for (int64_t j = 0; j < 6; j++) {
+      spread->m[i][j] = 0.5 * (s->spread.m[i][j] + s->spread.m[j][i]);
+    }
+  }
+  return true;
+}
+
 /* One coordinate of the image, linearised at the prediction (x, y, z). */
 WIDE void camera_point_filter_correct(camera_point_filter_State * s, double noise, double measured, int64_t axis, T3d predicted) {
   double x, y, z, side, near, far, total, expected, share;
@@ -346,131 +529,6 @@ void camera_point_filter_predict(camera_point_filter_Memory * memory, double dt,
   camera_kinematics_propagate((Vector){s->start.g, 6}, &s->start.noise, dt, turn, (T2_T3d_){before, a}, 0.0, accel);
 }
 
-/* Forget all images: Phi is the identity. */
-void camera_starting_begin(camera_starting_State * s) {
-  memset(s, 0, sizeof(camera_starting_State));
-  for (int64_t i = 0; i < 6; i++) {
-    s->phi.m[i][i] = 1.0;
-  }
-}
-
-/* Add an image: N += Phi' Q Phi, b -= Phi' Q g, Q = H'H - 2 r e3 e3', H = (1 0 -x; 0 1 -y). */
-WIDE void camera_starting_take(camera_starting_State * s, double x, double y, double variance) {
-  double corner, g0, g1, g2, a0, a1, a2, q0, q1, q2;
-  corner = x * x + y * y - 2.0 * variance;
-  g0 = s->g[0];
-  g1 = s->g[1];
-  g2 = s->g[2];
-  for (int64_t i = 0; i < 6; i++) {
-    a0 = s->phi.m[0][i];
-    a1 = s->phi.m[1][i];
-    a2 = s->phi.m[2][i];
-    q0 = a0 - x * a2;
-    q1 = a1 - y * a2;
-    q2 = -x * a0 - y * a1 + corner * a2;
-    s->right[i] -= q0 * g0 + q1 * g1 + q2 * g2;
-    for (int64_t j = 0; j < 6; j++) {
-      s->normal.m[i][j] += q0 * s->phi.m[0][j] + q1 * s->phi.m[1][j] + q2 * s->phi.m[2][j];
-    }
-  }
-}
-
-/* Cholesky's lower factor in place; false if the matrix is not safely positive definite. */
-WIDE bool camera_starting_factor(camera_kinematics_Matrix * lower) {
-  double own, total;
-  for (int64_t i = 0; i < 6; i++) {
-    own = lower->m[i][i];
-    for (int64_t j = 0, end_1 = i + 1; j < end_1; j++) {
-      total = lower->m[i][j];
-      for (int64_t k = 0; k < j; k++) {
-        total -= lower->m[i][k] * lower->m[j][k];
-      }
-      if (i == j) {
-        if (!(total > 1e-12 * own)) {
-          return false;
-        }
-        lower->m[i][i] = sqrt(total);
-      } else {
-        lower->m[i][j] = total / lower->m[j][j];
-      }
-    }
-  }
-  return true;
-}
-
-/* Solve with Cholesky's factor, the vector in place. */
-WIDE void camera_starting_solve(camera_kinematics_Matrix * lower, Vector v) {
-  double total;
-  for (int64_t i = 0; i < 6; i++) {
-    total = v.p[i];
-    for (int64_t k = 0; k < i; k++) {
-      total -= lower->m[i][k] * v.p[k];
-    }
-    v.p[i] = total / lower->m[i][i];
-  }
-  for (int64_t i = 5; i > (-1); i--) {
-    total = v.p[i];
-    for (int64_t k = i + 1; k < 6; k++) {
-      total -= lower->m[k][i] * v.p[k];
-    }
-    v.p[i] = total / lower->m[i][i];
-  }
-}
-
-/* Write the current (p, v) and covariance if the relative error of the depth is at most ``share``. */
-bool camera_starting_start(camera_starting_State * s, Vector state, camera_kinematics_Matrix * spread, double variance, double share) {
-  double z0, z, square_, total;
-  for (int64_t i = 0; i < 6; i++) {
-    for (int64_t j = 0; j < 6; j++) {
-      s->lower.m[i][j] = s->normal.m[i][j];
-    }
-  }
-  if (!camera_starting_factor(&s->lower)) {
-    return false;
-  }
-  for (int64_t i = 0; i < 6; i++) {
-    double value_1 = s->right[i];
-    double value_2 = s->g[i];
-    s->first[i] = value_1;
-    s->now[i] = value_2;
-  }
-  camera_starting_solve(&s->lower, (Vector){s->first, 6});
-  for (int64_t i = 0; i < 6; i++) {
-    for (int64_t j = 0; j < 6; j++) {
-      s->now[i] += s->phi.m[i][j] * s->first[j];
-    }
-  }
-  z0 = s->first[2];
-  z = s->now[2];
-  square_ = (z0 * z0 + z0 * z + z * z) / 3.0;
-  if (!(z0 > 0.0 && z > 0.0)) {
-    return false;
-  }
-  for (int64_t i = 0; i < 6; i++) {
-    for (int64_t j = 0; j < 6; j++) {
-      s->row[j] = s->phi.m[i][j];
-    }
-    camera_starting_solve(&s->lower, (Vector){s->row, 6});
-    for (int64_t j = 0; j < 6; j++) {
-      total = 0.0;
-      for (int64_t k = 0; k < 6; k++) {
-        total += s->row[k] * s->phi.m[j][k];
-      }
-      s->spread.m[i][j] = total * variance * square_ + s->noise.m[i][j];
-    }
-  }
-  if (!(s->spread.m[2][2] < square(share * z))) {
-    return false;
-  }
-  for (int64_t i = 0; i < 6; i++) {
-    state.p[i] = s->now[i];
-    for (int64_t j = 0; j < 6; j++) {
-      spread->m[i][j] = 0.5 * (s->spread.m[i][j] + s->spread.m[j][i]);
-    }
-  }
-  return true;
-}
-
 /* Process an image: correct the state, or initialise it. */
 void camera_point_filter_look(camera_point_filter_Memory * memory, double x, double y) {
   camera_point_filter_Settings * settings;
@@ -479,12 +537,12 @@ void camera_point_filter_look(camera_point_filter_Memory * memory, double x, dou
   settings = &memory->settings;
   s = &memory->state;
   if (s->mode == camera_point_filter_WAITING) {
-    camera_starting_begin(&s->start);
+    camera_kinematics_begin_start(&s->start);
     s->mode = camera_point_filter_STARTING;
   }
   if (s->mode == camera_point_filter_STARTING) {
-    camera_starting_take(&s->start, x, y, settings->noise);
-    if (camera_starting_start(&s->start, (Vector){s->state, 6}, &s->spread, settings->noise, settings->share)) {
+    camera_kinematics_take_image(&s->start, x, y, settings->noise);
+    if (camera_kinematics_started(&s->start, (Vector){s->state, 6}, &s->spread, settings->noise, settings->share)) {
       s->mode = camera_point_filter_RUNNING;
     }
     return;
@@ -496,7 +554,7 @@ void camera_point_filter_look(camera_point_filter_Memory * memory, double x, dou
   }
 }
 
-/* One ``SampleRow``: t, (p, v), covariance, restarts and running into ``out``, which is NaN before. */
+/* One ``CameraSample``: t, (p, v), covariance, restarts and running into ``out``, which is NaN before. */
 void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, camera_point_filter_Answer * out) {
   double t, x, y, wx, wy, wz, ax, ay, az;
   camera_point_filter_Settings * settings;
@@ -512,7 +570,7 @@ void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, c
   az = row.p[8];
   settings = &memory->settings;
   s = &memory->state;
-  if (!camera_camera_stage_usable((camera_samples_SampleRow){t, x, y, wx, wy, wz, ax, ay, az}, s->started, s->t, settings->gap_s)) {
+  if (!camera_samples_usable((camera_samples_CameraSample){t, x, y, wx, wy, wz, ax, ay, az}, s->started, s->t, settings->gap_s)) {
     return;
   }
   if (s->mode != camera_point_filter_WAITING) {
@@ -548,7 +606,7 @@ void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, c
 }
 
 /* The known part of the image's motion: (x, y) eta + B w; the rest of (x, y)' is -d. */
-T2d camera_unknown_input_filter_flow(double x, double y, double eta, double wx, double wy, double wz) {
+T2d camera_velocity_flow(double x, double y, double eta, double wx, double wy, double wz) {
   double flow_x, flow_y;
   flow_x = x * eta + x * y * wx - (1.0 + x * x) * wy + y * wz;
   flow_y = y * eta + (1.0 + y * y) * wx - x * y * wy - x * wz;
@@ -556,7 +614,7 @@ T2d camera_unknown_input_filter_flow(double x, double y, double eta, double wx, 
 }
 
 /* Y' = known - d over ``h`` s, the known part fed forward by Heun's rule; d' is white. */
-void camera_unknown_input_filter_predict(camera_unknown_input_filter_State * s, double density, double eta, double wx, double wy, double wz, double h) {
+void camera_velocity_predict(camera_velocity_State * s, double density, double eta, double wx, double wy, double wz, double h) {
   double x, y, kx, ky, dx, dy, lx, ly, p01, p11;
   x = s->x;
   y = s->y;
@@ -564,7 +622,7 @@ void camera_unknown_input_filter_predict(camera_unknown_input_filter_State * s, 
   ky = s->ky;
   dx = s->dx;
   dy = s->dy;
-  T2d values_1 = camera_unknown_input_filter_flow(x + h * (kx - dx), y + h * (ky - dy), eta, wx, wy, wz);
+  T2d values_1 = camera_velocity_flow(x + h * (kx - dx), y + h * (ky - dy), eta, wx, wy, wz);
   lx = values_1.f0;
   ly = values_1.f1;
   s->x = x + h * (0.5 * (kx + lx) - dx);
@@ -577,14 +635,14 @@ void camera_unknown_input_filter_predict(camera_unknown_input_filter_State * s, 
 }
 
 /* One ``FlowRow``: t, d_x, d_y and their standard deviation, 1/s. */
-T4d camera_unknown_input_filter_step(camera_unknown_input_filter_Memory * memory, T7d row) {
-  camera_unknown_input_filter_Settings * settings;
-  camera_unknown_input_filter_State * s;
+T4d camera_velocity_step(camera_velocity_Memory * memory, T7d row) {
+  camera_velocity_Settings * settings;
+  camera_velocity_State * s;
   double t, x, y, eta, wx, wy, wz, total, near, far, ex, ey;
   bool image;
   settings = &memory->settings;
   s = &memory->state;
-  camera_unknown_input_filter_FlowRow values_1 = camera_unknown_input_filter_FlowRow_of_T7d(row);
+  camera_velocity_FlowRow values_1 = camera_velocity_FlowRow_of_T7d(row);
   t = values_1.t;
   x = values_1.x;
   y = values_1.y;
@@ -592,12 +650,15 @@ T4d camera_unknown_input_filter_step(camera_unknown_input_filter_Memory * memory
   wx = values_1.wx;
   wy = values_1.wy;
   wz = values_1.wz;
-  if (!(fabs(t) <= records_LATEST_S) || eta != eta || (s->started == 1.0 && !(t > s->t))) {
+  if (!(fabs(t) <= records_LATEST_S) || (s->started == 1.0 && !(t > s->t))) {
     return (T4d){NAN, NAN, NAN, NAN};
   }
   image = x == x;
+  if (eta != eta) {
+    return (T4d){t, s->imaged == 0.0 ? NAN : s->dx, s->imaged == 0.0 ? NAN : s->dy, sqrt(s->p11)};
+  }
   if (s->imaged == 1.0) {
-    camera_unknown_input_filter_predict(s, settings->density, eta, wx, wy, wz, t - s->t);
+    camera_velocity_predict(s, settings->density, eta, wx, wy, wz, t - s->t);
     if (image) {
       total = s->p00 + settings->noise;
       near = s->p00 / total;
@@ -617,11 +678,11 @@ T4d camera_unknown_input_filter_step(camera_unknown_input_filter_Memory * memory
     s->x = x;
     s->y = y;
     s->p00 = settings->noise;
-    s->p11 = square(camera_unknown_input_filter_SPREAD_START);
+    s->p11 = square(camera_velocity_SPREAD_START);
   }
   s->started = 1.0;
   s->t = t;
-  T2d values_2 = camera_unknown_input_filter_flow(s->x, s->y, eta, wx, wy, wz);
+  T2d values_2 = camera_velocity_flow(s->x, s->y, eta, wx, wy, wz);
   s->kx = values_2.f0;
   s->ky = values_2.f1;
   if (s->imaged == 0.0) {
@@ -631,23 +692,27 @@ T4d camera_unknown_input_filter_step(camera_unknown_input_filter_Memory * memory
 }
 
 /* A row of a table as a tuple. */
-T7d camera_unknown_input_filter_row_at(Table rows, int64_t i) {
+T7d camera_velocity_row_at(Table rows, int64_t i) {
   Vector r;
   r = (Vector){rows.p + i * rows.m, rows.m};
   return (T7d){r.p[0], r.p[1], r.p[2], r.p[3], r.p[4], r.p[5], r.p[6]};
 }
 
-void loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
-  T7d answer;
+void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
   for (int64_t i = 0; i < rows.n; i++) {
     if (begin.p[i]) {
-      stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = camera_depth_step((camera_depth_Memory *)memory.p, camera_camera_stage_sample_at(rows, i));
-    for (int64_t j = 0; j < 7; j++) {
-      out.p[i * out.m + j] = ((const double *)&answer)[j];
+    camera_depth_step((camera_depth_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
+  }
+}
+
+void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
+  for (int64_t i = 0; i < rows.n; i++) {
+    if (begin.p[i]) {
+      fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
+    camera_gravity_step((camera_gravity_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
   }
 }
 
@@ -660,14 +725,14 @@ void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector beg
   }
 }
 
-void loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
+void loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
   T4d answer;
   for (int64_t i = 0; i < rows.n; i++) {
     if (begin.p[i]) {
       stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = camera_unknown_input_filter_step((camera_unknown_input_filter_Memory *)memory.p, camera_unknown_input_filter_row_at(rows, i));
+    answer = camera_velocity_step((camera_velocity_Memory *)memory.p, camera_velocity_row_at(rows, i));
     for (int64_t j = 0; j < 4; j++) {
       out.p[i * out.m + j] = ((const double *)&answer)[j];
     }

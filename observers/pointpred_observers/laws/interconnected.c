@@ -63,7 +63,7 @@ double interconnected_persidskii_law_along(double total, Vector row, Vector vect
 /* f(Jw + R i). */
 void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector to) {
   for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
-    to.p[j] = nonlinearity_value(m.codes.p[j], interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.J.p + j * m.J.m, m.J.m}, w), (Vector){m.R.p + j * m.R.m, m.R.m}, inputs));
+    to.p[j] = plants_nonlinearity_value(m.codes.p[j], interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.J.p + j * m.J.m, m.J.m}, w), (Vector){m.R.p + j * m.R.m, m.R.m}, inputs));
   }
 }
 
@@ -72,42 +72,6 @@ void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices 
   interconnected_persidskii_law_bend(m, w, inputs, nonlinear);
   for (int64_t i = 0, end_1 = m.start.n; i < end_1; i++) {
     to.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.N.p + i * m.N.m, m.N.m}, w), (Vector){m.L.p + i * m.L.m, m.L.m}, nonlinear), (Vector){m.K.p + i * m.K.m, m.K.m}, inputs);
-  }
-}
-
-/* One step of the classical Runge-Kutta method at w, with inputs linear between the last ones and row. */
-void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double begin, double h) {
-  int64_t q, inputs;
-  Vector w, last;
-  interconnected_persidskii_law_Space space;
-  double length, value, at, weight, ahead;
-  q = m.start.n;
-  inputs = m.first.n;
-  w = (Vector){s.both.p, q};
-  last = (Vector){s.both.p + q, s.both.n - q};
-  space = interconnected_persidskii_law_space_of(m, s, q);
-  length = h * (row.p[0] - s.clock.p[1]);
-  for (int64_t i = 0; i < q; i++) {
-    value = w.p[i];
-    space.first.p[i] = value;
-    space.stage.p[i] = value;
-    space.total.p[i] = 0.0;
-  }
-  for (int64_t part = 0; part < 4; part++) {
-    at = begin + (part == 0 ? 0.0 : part == 3 ? h : 0.5 * h);
-    for (int64_t j = 0; j < inputs; j++) {
-      space.inputs.p[j] = last.p[j] + at * (row.p[1 + j] - last.p[j]);
-    }
-    interconnected_persidskii_law_slope(m, space.stage, space.inputs, space.nonlinear, space.change);
-    weight = part == 0 || part == 3 ? 1.0 : 2.0;
-    ahead = part == 2 ? length : 0.5 * length;
-    for (int64_t i = 0; i < q; i++) {
-      space.total.p[i] += weight * space.change.p[i];
-      space.stage.p[i] = space.first.p[i] + ahead * space.change.p[i];
-    }
-  }
-  for (int64_t i = 0; i < q; i++) {
-    w.p[i] = space.first.p[i] + length / 6.0 * space.total.p[i];
   }
 }
 
@@ -131,8 +95,8 @@ double interconnected_persidskii_law_onward(interconnected_persidskii_law_Matric
   return interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.V0.p + j * m.V0.m, m.V0.m}, w), (Vector){m.V1.p + j * m.V1.m, m.V1.m}, nonlinear), (Vector){m.V2.p + j * m.V2.m, m.V2.m}, inputs);
 }
 
-/* A step of ``flow`` for inputs of which some are missing: these follow what replaces them. */
-void interconnected_persidskii_law_bridge(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h) {
+/* One step of the classical Runge-Kutta method, of ``h`` s, where ``length`` s are left until ``row``. */
+void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h, bool missing) {
   int64_t q, inputs, size;
   interconnected_persidskii_law_Space space;
   Vector w, given;
@@ -149,7 +113,9 @@ void interconnected_persidskii_law_bridge(interconnected_persidskii_law_Matrices
     space.total.p[i] = 0.0;
   }
   for (int64_t part = 0; part < 4; part++) {
-    interconnected_persidskii_law_replace(m, w, given, space.nonlinear, s.absent);
+    if (missing) {
+      interconnected_persidskii_law_replace(m, w, given, space.nonlinear, s.absent);
+    }
     interconnected_persidskii_law_slope(m, w, given, space.nonlinear, space.change);
     for (int64_t j = 0; j < inputs; j++) {
       if (s.absent.p[j] == 0.0) {
@@ -199,11 +165,7 @@ void interconnected_persidskii_law_move(interconnected_persidskii_law_Memory * m
   }
   count = max_whole(1, (int64_t)ceil(min_float(h / memory->step_s, interconnected_persidskii_law_STEPS_MOST)));
   for (int64_t i = 0; i < count; i++) {
-    if (missing) {
-      interconnected_persidskii_law_bridge(m, s, row, h * (count - i) / count, h / count);
-    } else {
-      interconnected_persidskii_law_flow(m, s, row, (double)i / count, 1.0 / count);
-    }
+    interconnected_persidskii_law_flow(m, s, row, h * (count - i) / count, h / count, missing);
   }
 }
 
@@ -304,7 +266,7 @@ void interconnected_persidskii_law_read(interconnected_persidskii_law_Matrices m
   space = interconnected_persidskii_law_space_of(m, s, q);
   for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
     argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){m.R.p + j * m.R.m, m.R.m}, last), (Vector){m.J.p + j * m.J.m, m.J.m}, w, m.start);
-    space.nonlinear.p[j] = nonlinearity_value(m.codes.p[j], argument);
+    space.nonlinear.p[j] = plants_nonlinearity_value(m.codes.p[j], argument);
   }
   for (int64_t i = 0, end_2 = m.R0.n; i < end_2; i++) {
     out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along_both(0.0, (Vector){m.R0.p + i * m.R0.m, m.R0.m}, w, m.start), (Vector){m.R1.p + i * m.R1.m, m.R1.m}, space.nonlinear), (Vector){m.R2.p + i * m.R2.m, m.R2.m}, last);

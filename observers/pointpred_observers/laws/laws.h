@@ -89,25 +89,21 @@ static inline double whole_power(double a, int64_t n) {
   return n < 0 ? 1.0 / result : result;
 }
 
-typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; double f7; double f8; } T9d;
-typedef struct { double t; double x; double y; double wx; double wy; double wz; double ax; double ay; double az; } camera_samples_SampleRow;
 typedef struct { double f0; double f1; } T2d;
 typedef struct { double x; double y; double wx; double wy; double wz; double az; } camera_depth_Measured;
 typedef struct { double f0; double f1; double f2; double f3; double f4; } T5d;
-typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; } T7d;
+typedef struct { double t; double x; double y; double wx; double wy; double wz; double ax; double ay; double az; } camera_samples_CameraSample;
 typedef struct { double f0; double f1; double f2; } T3d;
 typedef struct { T3d f0; T3d f1; } T2_T3d_;
 typedef struct { double f0; double f1; double f2; double f3; } T4d;
-typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } camera_unknown_input_filter_FlowRow;
+typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; } T7d;
+typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } camera_velocity_FlowRow;
 typedef struct { Vector codes; Table N; Table L; Table J; Table K; Table R0; Table R1; Table R; Table R2; Vector start; Vector valued; Table V0; Table V1; Table V2; Vector first; } interconnected_persidskii_law_Matrices;
 typedef struct { Vector clock; Vector both; Vector space; Vector absent; } interconnected_persidskii_law_State;
 typedef struct { interconnected_persidskii_law_Matrices f0; interconnected_persidskii_law_State f1; } T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_;
 typedef struct { Vector total; Vector stage; Vector change; Vector first; Vector nonlinear; Vector inputs; } interconnected_persidskii_law_Space;
-typedef struct { Vector start; Table gain; Vector clock; Vector theta; Vector last; Vector middle; } regressors_gradient_Parts;
+typedef struct { Vector start; Table gain; Vector clock; Vector theta; Vector last; Vector between; Vector stage; Vector change; Vector total; } regressors_gradient_Parts;
 typedef struct { Table D; Vector y; } regressors_gradient_Sample;
-typedef struct { Vector start; Vector clock; Vector theta; Vector last; Vector between; Vector stage; Vector change; Vector total; } regressors_nonlinear_regression_Parts;
-typedef struct { Table J; Vector y; double weight; } regressors_nonlinear_regression_Sample;
-typedef struct { Vector start; Table A; Table closed; Table L; Vector y; Vector w; Vector term; Vector after; Table program; Vector answers; } triangular_interlaced_observer_Parts;
 typedef struct {
   double started;
   double t;
@@ -124,7 +120,7 @@ typedef struct {
 } camera_depth_State;
 typedef struct {
   double focal_px;
-  double half_sigma;
+  double decay;
   double start_chi;
   double start_eta;
   double gap_s;
@@ -134,6 +130,23 @@ typedef struct {
   camera_depth_Settings settings;
   camera_depth_State state;
 } camera_depth_Memory;
+typedef struct {
+  double g;
+  double up[3];
+  double gap_s;
+} camera_gravity_Settings;
+typedef struct {
+  double started;
+  double t;
+  double wx;
+  double wy;
+  double wz;
+  double up[3];
+} camera_gravity_State;
+typedef struct {
+  camera_gravity_Settings settings;
+  camera_gravity_State state;
+} camera_gravity_Memory;
 typedef struct {
   double m[6][6];
 } camera_kinematics_Matrix;
@@ -148,7 +161,7 @@ typedef struct {
   double now[6];
   double row[6];
   camera_kinematics_Matrix spread;
-} camera_starting_State;
+} camera_kinematics_Start;
 typedef struct {
   double started;
   double t;
@@ -163,7 +176,7 @@ typedef struct {
   double state[6];
   camera_kinematics_Matrix spread;
   double column[6];
-  camera_starting_State start;
+  camera_kinematics_Start start;
 } camera_point_filter_State;
 typedef struct {
   double focal_px;
@@ -197,15 +210,15 @@ typedef struct {
   double p00;
   double p01;
   double p11;
-} camera_unknown_input_filter_State;
+} camera_velocity_State;
 typedef struct {
   double noise;
   double density;
-} camera_unknown_input_filter_Settings;
+} camera_velocity_Settings;
 typedef struct {
-  camera_unknown_input_filter_Settings settings;
-  camera_unknown_input_filter_State state;
-} camera_unknown_input_filter_Memory;
+  camera_velocity_Settings settings;
+  camera_velocity_State state;
+} camera_velocity_Memory;
 typedef struct {
   double states;
   double components;
@@ -220,70 +233,46 @@ typedef struct {
 typedef struct {
   double count;
   double outputs;
+  double width;
   double kind;
-  double rest[];
-} regressors_gradient_Memory;
-typedef struct {
-  double count;
-  double outputs;
-  double gain;
   double code;
   double steepest;
   double rest[];
-} regressors_nonlinear_regression_Memory;
-typedef struct {
-  double states;
-  double outputs;
-  double rows;
-  double program;
-  double answers;
-  double answered;
-  double state;
-  double gap_s;
-  double fast;
-  double slow;
-} triangular_interlaced_observer_Head;
-typedef struct {
-  double started;
-  double t;
-  double measured;
-} triangular_interlaced_observer_State;
-static inline camera_unknown_input_filter_FlowRow camera_unknown_input_filter_FlowRow_of_T7d(T7d value) { return (camera_unknown_input_filter_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
-static inline camera_samples_SampleRow camera_samples_SampleRow_of_T9d(T9d value) { return (camera_samples_SampleRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6, value.f7, value.f8}; }
-T9d camera_camera_stage_sample_at(Table rows, int64_t i);
-bool camera_camera_stage_usable(camera_samples_SampleRow sample, double started, double last_t, double gap_s);
+} regressors_gradient_Memory;
+static inline camera_velocity_FlowRow camera_velocity_FlowRow_of_T7d(T7d value) { return (camera_velocity_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
 void camera_depth_carry(camera_depth_State * state, camera_depth_Measured m, double dt);
 bool camera_depth_inside(camera_depth_Memory * memory, double zero, double eta);
 T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx, double dwy);
-T7d camera_depth_step(camera_depth_Memory * memory, T9d sample);
+void camera_depth_step(camera_depth_Memory * memory, Vector row, Vector out);
+void camera_gravity_step(camera_gravity_Memory * memory, Vector row, Vector out);
 void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel);
 T3d camera_kinematics_back(T3d turn, T3d vector);
+void camera_kinematics_begin_start(camera_kinematics_Start * s);
 T2_T3d_ camera_kinematics_carried(T3d p, T3d v, double h, T3d turn);
 void camera_kinematics_carry(Vector s, double h, T3d turn);
 void camera_kinematics_carry_column(camera_kinematics_Matrix * phi, int64_t i, double h, T3d turn);
+bool camera_kinematics_factor(camera_kinematics_Matrix * lower);
 void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ acceleration, double gyro, double accel);
 void camera_kinematics_push(Vector s, double h, T3d turn, T3d before, T3d after);
+void camera_kinematics_solve(camera_kinematics_Matrix * lower, Vector v);
+bool camera_kinematics_started(camera_kinematics_Start * s, Vector state, camera_kinematics_Matrix * spread, double variance, double share);
+void camera_kinematics_take_image(camera_kinematics_Start * s, double x, double y, double variance);
 void camera_kinematics_turn_covariance(camera_kinematics_Matrix * p, double h, T3d turn);
 void camera_point_filter_correct(camera_point_filter_State * s, double noise, double measured, int64_t axis, T3d predicted);
 void camera_point_filter_look(camera_point_filter_Memory * memory, double x, double y);
 void camera_point_filter_predict(camera_point_filter_Memory * memory, double dt, T3d w, T3d a);
 void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, camera_point_filter_Answer * out);
-void camera_starting_begin(camera_starting_State * s);
-bool camera_starting_factor(camera_kinematics_Matrix * lower);
-void camera_starting_solve(camera_kinematics_Matrix * lower, Vector v);
-bool camera_starting_start(camera_starting_State * s, Vector state, camera_kinematics_Matrix * spread, double variance, double share);
-void camera_starting_take(camera_starting_State * s, double x, double y, double variance);
-T2d camera_unknown_input_filter_flow(double x, double y, double eta, double wx, double wy, double wz);
-void camera_unknown_input_filter_predict(camera_unknown_input_filter_State * s, double density, double eta, double wx, double wy, double wz, double h);
-T7d camera_unknown_input_filter_row_at(Table rows, int64_t i);
-T4d camera_unknown_input_filter_step(camera_unknown_input_filter_Memory * memory, T7d row);
+bool camera_samples_usable(camera_samples_CameraSample sample, double started, double last_t, double gap_s);
+T2d camera_velocity_flow(double x, double y, double eta, double wx, double wy, double wz);
+void camera_velocity_predict(camera_velocity_State * s, double density, double eta, double wx, double wy, double wz, double h);
+T7d camera_velocity_row_at(Table rows, int64_t i);
+T4d camera_velocity_step(camera_velocity_Memory * memory, T7d row);
 int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row);
 double interconnected_persidskii_law_along(double total, Vector row, Vector vector);
 double interconnected_persidskii_law_along_both(double total, Vector row, Vector one, Vector other);
 void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector to);
-void interconnected_persidskii_law_bridge(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h);
 int64_t interconnected_persidskii_law_floats(int64_t q, int64_t k, int64_t inputs);
-void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double begin, double h);
+void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h, bool missing);
 void interconnected_persidskii_law_measure(interconnected_persidskii_law_State s, Vector last, Vector row);
 void interconnected_persidskii_law_move(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, bool missing);
 double interconnected_persidskii_law_onward(interconnected_persidskii_law_Matrices m, int64_t j, Vector w, Vector inputs, Vector nonlinear);
@@ -293,58 +282,48 @@ void interconnected_persidskii_law_replace(interconnected_persidskii_law_Matrice
 void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector to);
 interconnected_persidskii_law_Space interconnected_persidskii_law_space_of(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, int64_t size);
 int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out);
+void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
+void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-void loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-void loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-static inline double nonlinearity_value(double code, double s);
+void loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
+bool plants_boxes_weigh(Table axes, Vector p, Vector weights);
+static inline double plants_nonlinearity_value(double code, double s);
 void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
-bool regressors_gradient_finite(Vector row);
-void regressors_gradient_flow(regressors_gradient_Parts s, regressors_gradient_Sample sample, double h);
-void regressors_gradient_jump(regressors_gradient_Parts s, regressors_gradient_Sample sample, double share);
+void regressors_gradient_bend(double code, regressors_gradient_Parts s, Vector new, double begin, double h, double dt);
+void regressors_gradient_flow(regressors_gradient_Parts s, double h);
+void regressors_gradient_jump(regressors_gradient_Parts s, double share);
 regressors_gradient_Parts regressors_gradient_parts_of(regressors_gradient_Memory * memory);
 regressors_gradient_Sample regressors_gradient_sample_of(Vector numbers, int64_t n);
-int64_t regressors_gradient_states(int64_t n, int64_t p);
+void regressors_gradient_slope(double code, regressors_gradient_Parts s);
+int64_t regressors_gradient_states(int64_t n, int64_t width);
 double regressors_gradient_steepness(Table d, Table gain);
 int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out);
-int64_t regressors_gradient_width(int64_t n, int64_t p);
-void regressors_nonlinear_regression_flow(regressors_nonlinear_regression_Memory * memory, regressors_nonlinear_regression_Parts s, Vector new, double begin, double h, double dt);
-double regressors_nonlinear_regression_pace(Table regressor);
-regressors_nonlinear_regression_Parts regressors_nonlinear_regression_parts_of(regressors_nonlinear_regression_Memory * memory);
-regressors_nonlinear_regression_Sample regressors_nonlinear_regression_sample_of(Vector numbers, int64_t n);
-void regressors_nonlinear_regression_slope(regressors_nonlinear_regression_Memory * memory, regressors_nonlinear_regression_Parts s);
-int64_t regressors_nonlinear_regression_states(int64_t n, int64_t r);
-int64_t regressors_nonlinear_regression_step(regressors_nonlinear_regression_Memory * memory, Vector row, Vector out);
-int64_t regressors_nonlinear_regression_width(int64_t n, int64_t r);
+bool regressors_gradient_usable(regressors_gradient_Memory * memory, Vector row);
 static inline void stage_learn_nothing(Vector memory);
-double triangular_interlaced_observer_drive(triangular_interlaced_observer_Parts parts, int64_t i, int64_t k, double passed, double share, Vector row);
-void triangular_interlaced_observer_follow(triangular_interlaced_observer_Parts parts, double h, int64_t steps, Vector row, bool driven);
-triangular_interlaced_observer_Parts triangular_interlaced_observer_parts_of(Vector memory);
-int64_t triangular_interlaced_observer_settings(int64_t q, int64_t p);
-int64_t triangular_interlaced_observer_states(int64_t q, int64_t p);
-int64_t triangular_interlaced_observer_step(Vector memory, Vector row, Vector out);
-double triangular_program_apply(int64_t code, double a, double b);
-void triangular_program_execute(Vector memory, Table rows);
-static const int64_t nonlinearity_ATAN = 3;
-static const int64_t nonlinearity_CUBE = 5;
-static const int64_t nonlinearity_SATURATION = 4;
-static const int64_t nonlinearity_SIN = 1;
-static const int64_t nonlinearity_TANH = 2;
+void unknown_input_stage_estimated(Vector block, Table ends, double s, Table space);
+bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block);
+void unknown_input_stage_push(Vector block, Table c, Table ends, double s, int64_t part, double h, Table space);
+static const int64_t plants_nonlinearity_ATAN = 3;
+static const int64_t plants_nonlinearity_CUBE = 5;
+static const int64_t plants_nonlinearity_SATURATION = 4;
+static const int64_t plants_nonlinearity_SIN = 1;
+static const int64_t plants_nonlinearity_TANH = 2;
 
 /* The nonlinearity with the given code at s. */
-static inline double nonlinearity_value(double code, double s) {
-  if (code == nonlinearity_SIN) {
+static inline double plants_nonlinearity_value(double code, double s) {
+  if (code == plants_nonlinearity_SIN) {
     return sin(s);
   }
-  if (code == nonlinearity_TANH) {
+  if (code == plants_nonlinearity_TANH) {
     return tanh(s);
   }
-  if (code == nonlinearity_ATAN) {
+  if (code == plants_nonlinearity_ATAN) {
     return atan(s);
   }
-  if (code == nonlinearity_SATURATION) {
+  if (code == plants_nonlinearity_SATURATION) {
     return min_float(max_float(s, -1.0), 1.0);
   }
-  if (code == nonlinearity_CUBE) {
+  if (code == plants_nonlinearity_CUBE) {
     return s * s * s;
   }
   return s;

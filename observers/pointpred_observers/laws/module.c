@@ -95,37 +95,11 @@ static bool take_bool(PyObject *given, bool *value) {
 }
 #include "laws.h"
 
-static PyObject *give_T9d(T9d value) {
-  PyObject *tuple = PyTuple_New(9);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
-  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
-  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
-  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
-  PyTuple_SetItem(tuple, 7, PyFloat_FromDouble(value.f7));
-  PyTuple_SetItem(tuple, 8, PyFloat_FromDouble(value.f8));
-  return tuple;
-}
 static PyObject *give_T2d(T2d value) {
   PyObject *tuple = PyTuple_New(2);
   if (tuple == NULL) return NULL;
   PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
   PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
-  return tuple;
-}
-static PyObject *give_T7d(T7d value) {
-  PyObject *tuple = PyTuple_New(7);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
-  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
-  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
-  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
   return tuple;
 }
 static PyObject *give_T3d(T3d value) {
@@ -143,6 +117,18 @@ static PyObject *give_T2_T3d_(T2_T3d_ value) {
   PyTuple_SetItem(tuple, 1, give_T3d(value.f1));
   return tuple;
 }
+static PyObject *give_T7d(T7d value) {
+  PyObject *tuple = PyTuple_New(7);
+  if (tuple == NULL) return NULL;
+  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
+  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
+  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
+  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
+  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
+  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
+  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
+  return tuple;
+}
 static PyObject *give_T4d(T4d value) {
   PyObject *tuple = PyTuple_New(4);
   if (tuple == NULL) return NULL;
@@ -151,55 +137,6 @@ static PyObject *give_T4d(T4d value) {
   PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
   PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
   return tuple;
-}
-static PyObject *py_camera_camera_stage_sample_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.camera_stage:sample_at";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  int64_t a1;
-  T9d result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a0.m, 9)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = camera_camera_stage_sample_at(a0, a1); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return give_T9d(result);
-}
-static PyObject *py_camera_camera_stage_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.camera_stage:usable";
-  Held held;
-  const Py_buffer *view;
-  camera_samples_SampleRow a0;
-  double a1;
-  double a2;
-  double a3;
-  bool result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 4)
-        && take_tuple(args[0], law, "sample", 9)
-        && take_double(PyTuple_GetItem(args[0], 0), &a0.t)
-        && take_double(PyTuple_GetItem(args[0], 1), &a0.x)
-        && take_double(PyTuple_GetItem(args[0], 2), &a0.y)
-        && take_double(PyTuple_GetItem(args[0], 3), &a0.wx)
-        && take_double(PyTuple_GetItem(args[0], 4), &a0.wy)
-        && take_double(PyTuple_GetItem(args[0], 5), &a0.wz)
-        && take_double(PyTuple_GetItem(args[0], 6), &a0.ax)
-        && take_double(PyTuple_GetItem(args[0], 7), &a0.ay)
-        && take_double(PyTuple_GetItem(args[0], 8), &a0.az)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)
-        && take_double(args[3], &a3)))
-    return let_go(&held);
-  result = camera_camera_stage_usable(a0, a1, a2, a3);
-  let_go(&held);
-  return PyBool_FromLong(result);
 }
 static PyObject *py_camera_depth_carry(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.depth:carry";
@@ -280,27 +217,42 @@ static PyObject *py_camera_depth_step(PyObject *self, PyObject *const *args, Py_
   Held held;
   const Py_buffer *view;
   camera_depth_Memory * a0;
-  T9d a1;
-  T7d result;
+  Vector a1;
+  Vector a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
+  if (!(counted(law, count, 3)
         && take_memory(&held, args[0], law, "memory", true, 27, &view)
         && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "sample", 9)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
-        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
-        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)
-        && take_double(PyTuple_GetItem(args[1], 7), &a1.f7)
-        && take_double(PyTuple_GetItem(args[1], 8), &a1.f8)))
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = camera_depth_step(a0, a1);
+  camera_depth_step(a0, a1, a2);
   let_go(&held);
-  return give_T7d(result);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.gravity:step";
+  Held held;
+  const Py_buffer *view;
+  camera_gravity_Memory * a0;
+  Vector a1;
+  Vector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", true, 13, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  camera_gravity_step(a0, a1, a2);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_kinematics_add_noise(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:add_noise";
@@ -346,6 +298,21 @@ static PyObject *py_camera_kinematics_back(PyObject *self, PyObject *const *args
   result = camera_kinematics_back(a0, a1);
   let_go(&held);
   return give_T3d(result);
+}
+static PyObject *py_camera_kinematics_begin_start(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:begin_start";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Start * a0;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "s", true, 210, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  camera_kinematics_begin_start(a0);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_camera_kinematics_carried(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:carried";
@@ -423,6 +390,22 @@ static PyObject *py_camera_kinematics_carry_column(PyObject *self, PyObject *con
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_camera_kinematics_factor(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:factor";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Matrix * a0;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 1)
+        && take_memory(&held, args[0], law, "lower", true, 36, &view)
+        && (a0 = view->buf, true)))
+    return let_go(&held);
+  result = camera_kinematics_factor(a0);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
 static PyObject *py_camera_kinematics_propagate(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:propagate";
   Held held;
@@ -491,6 +474,71 @@ static PyObject *py_camera_kinematics_push(PyObject *self, PyObject *const *args
         && take_double(PyTuple_GetItem(args[4], 2), &a4.f2)))
     return let_go(&held);
   camera_kinematics_push(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_camera_kinematics_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:solve";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Matrix * a0;
+  Vector a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "lower", false, 36, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "v", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  camera_kinematics_solve(a0, a1);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_camera_kinematics_started(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:started";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Start * a0;
+  Vector a1;
+  camera_kinematics_Matrix * a2;
+  double a3;
+  double a4;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_memory(&held, args[0], law, "s", true, 210, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "state", 'd', 1, true, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_memory(&held, args[2], law, "spread", true, 36, &view)
+        && (a2 = view->buf, true)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)))
+    return let_go(&held);
+  result = camera_kinematics_started(a0, a1, a2, a3, a4);
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_camera_kinematics_take_image(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.kinematics:take_image";
+  Held held;
+  const Py_buffer *view;
+  camera_kinematics_Start * a0;
+  double a1;
+  double a2;
+  double a3;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_memory(&held, args[0], law, "s", true, 210, &view)
+        && (a0 = view->buf, true)
+        && take_double(args[1], &a1)
+        && take_double(args[2], &a2)
+        && take_double(args[3], &a3)))
+    return let_go(&held);
+  camera_kinematics_take_image(a0, a1, a2, a3);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -609,104 +657,38 @@ static PyObject *py_camera_point_filter_step(PyObject *self, PyObject *const *ar
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_camera_starting_begin(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:begin";
+static PyObject *py_camera_samples_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.samples:usable";
   Held held;
   const Py_buffer *view;
-  camera_starting_State * a0;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_memory(&held, args[0], law, "s", true, 210, &view)
-        && (a0 = view->buf, true)))
-    return let_go(&held);
-  camera_starting_begin(a0);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_camera_starting_factor(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:factor";
-  Held held;
-  const Py_buffer *view;
-  camera_kinematics_Matrix * a0;
-  bool result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_memory(&held, args[0], law, "lower", true, 36, &view)
-        && (a0 = view->buf, true)))
-    return let_go(&held);
-  result = camera_starting_factor(a0);
-  let_go(&held);
-  return PyBool_FromLong(result);
-}
-static PyObject *py_camera_starting_solve(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:solve";
-  Held held;
-  const Py_buffer *view;
-  camera_kinematics_Matrix * a0;
-  Vector a1;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "lower", false, 36, &view)
-        && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "v", 'd', 1, true, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  camera_starting_solve(a0, a1);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_camera_starting_start(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:start";
-  Held held;
-  const Py_buffer *view;
-  camera_starting_State * a0;
-  Vector a1;
-  camera_kinematics_Matrix * a2;
-  double a3;
-  double a4;
-  bool result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_memory(&held, args[0], law, "s", true, 210, &view)
-        && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "state", 'd', 1, true, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_memory(&held, args[2], law, "spread", true, 36, &view)
-        && (a2 = view->buf, true)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
-    return let_go(&held);
-  result = camera_starting_start(a0, a1, a2, a3, a4);
-  let_go(&held);
-  return PyBool_FromLong(result);
-}
-static PyObject *py_camera_starting_take(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.starting:take";
-  Held held;
-  const Py_buffer *view;
-  camera_starting_State * a0;
+  camera_samples_CameraSample a0;
   double a1;
   double a2;
   double a3;
+  bool result;
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_memory(&held, args[0], law, "s", true, 210, &view)
-        && (a0 = view->buf, true)
+        && take_tuple(args[0], law, "sample", 9)
+        && take_double(PyTuple_GetItem(args[0], 0), &a0.t)
+        && take_double(PyTuple_GetItem(args[0], 1), &a0.x)
+        && take_double(PyTuple_GetItem(args[0], 2), &a0.y)
+        && take_double(PyTuple_GetItem(args[0], 3), &a0.wx)
+        && take_double(PyTuple_GetItem(args[0], 4), &a0.wy)
+        && take_double(PyTuple_GetItem(args[0], 5), &a0.wz)
+        && take_double(PyTuple_GetItem(args[0], 6), &a0.ax)
+        && take_double(PyTuple_GetItem(args[0], 7), &a0.ay)
+        && take_double(PyTuple_GetItem(args[0], 8), &a0.az)
         && take_double(args[1], &a1)
         && take_double(args[2], &a2)
         && take_double(args[3], &a3)))
     return let_go(&held);
-  camera_starting_take(a0, a1, a2, a3);
+  result = camera_samples_usable(a0, a1, a2, a3);
   let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
+  return PyBool_FromLong(result);
 }
-static PyObject *py_camera_unknown_input_filter_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.unknown_input_filter:flow";
+static PyObject *py_camera_velocity_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.velocity:flow";
   Held held;
   const Py_buffer *view;
   double a0;
@@ -726,15 +708,15 @@ static PyObject *py_camera_unknown_input_filter_flow(PyObject *self, PyObject *c
         && take_double(args[4], &a4)
         && take_double(args[5], &a5)))
     return let_go(&held);
-  result = camera_unknown_input_filter_flow(a0, a1, a2, a3, a4, a5);
+  result = camera_velocity_flow(a0, a1, a2, a3, a4, a5);
   let_go(&held);
   return give_T2d(result);
 }
-static PyObject *py_camera_unknown_input_filter_predict(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.unknown_input_filter:predict";
+static PyObject *py_camera_velocity_predict(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.velocity:predict";
   Held held;
   const Py_buffer *view;
-  camera_unknown_input_filter_State * a0;
+  camera_velocity_State * a0;
   double a1;
   double a2;
   double a3;
@@ -753,12 +735,12 @@ static PyObject *py_camera_unknown_input_filter_predict(PyObject *self, PyObject
         && take_double(args[5], &a5)
         && take_double(args[6], &a6)))
     return let_go(&held);
-  camera_unknown_input_filter_predict(a0, a1, a2, a3, a4, a5, a6);
+  camera_velocity_predict(a0, a1, a2, a3, a4, a5, a6);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_camera_unknown_input_filter_row_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.unknown_input_filter:row_at";
+static PyObject *py_camera_velocity_row_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.velocity:row_at";
   Held held;
   const Py_buffer *view;
   Table a0;
@@ -772,15 +754,15 @@ static PyObject *py_camera_unknown_input_filter_row_at(PyObject *self, PyObject 
         && has_columns(law, "rows", a0.m, 7)
         && take_int64_t(args[1], &a1)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = camera_unknown_input_filter_row_at(a0, a1); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS result = camera_velocity_row_at(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return give_T7d(result);
 }
-static PyObject *py_camera_unknown_input_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.unknown_input_filter:step";
+static PyObject *py_camera_velocity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.velocity:step";
   Held held;
   const Py_buffer *view;
-  camera_unknown_input_filter_Memory * a0;
+  camera_velocity_Memory * a0;
   T7d a1;
   T4d result;
   (void)self, (void)view;
@@ -797,7 +779,7 @@ static PyObject *py_camera_unknown_input_filter_step(PyObject *self, PyObject *c
         && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
         && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)))
     return let_go(&held);
-  result = camera_unknown_input_filter_step(a0, a1);
+  result = camera_velocity_step(a0, a1);
   let_go(&held);
   return give_T4d(result);
 }
@@ -960,67 +942,6 @@ static PyObject *py_interconnected_persidskii_law_bend(PyObject *self, PyObject 
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_interconnected_persidskii_law_bridge(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:bridge";
-  Held held;
-  const Py_buffer *view;
-  interconnected_persidskii_law_Matrices a0;
-  interconnected_persidskii_law_State a1;
-  Vector a2;
-  double a3;
-  double a4;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_tuple(args[0], law, "m", 15)
-        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, true, &view)
-        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, true, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, true, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, true, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, true, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, true, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, true, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, true, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, true, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, true, &view)
-        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, true, &view)
-        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, true, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, true, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, true, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, true, &view)
-        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "s", 4)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
-        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
-        && (a1.both = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
-        && (a1.space = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
-        && (a1.absent = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "row", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_bridge(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
 static PyObject *py_interconnected_persidskii_law_floats(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:floats";
   Held held;
@@ -1049,9 +970,10 @@ static PyObject *py_interconnected_persidskii_law_flow(PyObject *self, PyObject 
   Vector a2;
   double a3;
   double a4;
+  bool a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 5)
+  if (!(counted(law, count, 6)
         && take_tuple(args[0], law, "m", 15)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, true, &view)
         && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
@@ -1095,9 +1017,10 @@ static PyObject *py_interconnected_persidskii_law_flow(PyObject *self, PyObject 
         && take_array(&held, args[2], law, "row", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
         && take_double(args[3], &a3)
-        && take_double(args[4], &a4)))
+        && take_double(args[4], &a4)
+        && take_bool(args[5], &a5)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_flow(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_flow(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1438,6 +1361,58 @@ static PyObject *py_interconnected_persidskii_law_step(PyObject *self, PyObject 
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
+static PyObject *py_loop__camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.depth:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__camera_depth_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_loop__camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__camera_gravity_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)";
   Held held;
@@ -1464,35 +1439,8 @@ static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *con
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  FlagVector a2;
-  Table a3;
-  Table a4;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
-        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a3.m, 9)
-        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
-        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.unknown_input_filter:row_at) (pointpred_observers.camera.unknown_input_filter:step)";
+static PyObject *py_loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.velocity:row_at) (pointpred_observers.camera.velocity:step)";
   Held held;
   const Py_buffer *view;
   Vector a0;
@@ -1514,12 +1462,35 @@ static PyObject *py_loop__stage_learn_nothing__camera_unknown_input_filter_row_a
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_nonlinearity_value(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.nonlinearity:value";
+static PyObject *py_plants_boxes_weigh(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.plants.boxes:weigh";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Vector a1;
+  Vector a2;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_array(&held, args[0], law, "axes", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && has_columns(law, "axes", a0.m, 2)
+        && take_array(&held, args[1], law, "p", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "weights", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = plants_boxes_weigh(a0, a1, a2); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_plants_nonlinearity_value(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.plants.nonlinearity:value";
   Held held;
   const Py_buffer *view;
   double a0;
@@ -1531,37 +1502,63 @@ static PyObject *py_nonlinearity_value(PyObject *self, PyObject *const *args, Py
         && take_double(args[0], &a0)
         && take_double(args[1], &a1)))
     return let_go(&held);
-  result = nonlinearity_value(a0, a1);
+  result = plants_nonlinearity_value(a0, a1);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
-static PyObject *py_regressors_gradient_finite(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.gradient:finite";
+static PyObject *py_regressors_gradient_bend(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:bend";
   Held held;
   const Py_buffer *view;
-  Vector a0;
-  bool result;
+  double a0;
+  regressors_gradient_Parts a1;
+  Vector a2;
+  double a3;
+  double a4;
+  double a5;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "row", 'd', 1, false, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)))
+  if (!(counted(law, count, 6)
+        && take_double(args[0], &a0)
+        && take_tuple(args[1], law, "s", 9)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
+        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 2, true, &view)
+        && (a1.gain = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
+        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
+        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
+        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
+        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
+        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "s", 'd', 1, true, &view)
+        && (a1.total = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "new", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[3], &a3)
+        && take_double(args[4], &a4)
+        && take_double(args[5], &a5)))
     return let_go(&held);
-  result = regressors_gradient_finite(a0);
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_bend(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
   let_go(&held);
-  return PyBool_FromLong(result);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_regressors_gradient_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.regressors.gradient:flow";
   Held held;
   const Py_buffer *view;
   regressors_gradient_Parts a0;
-  regressors_gradient_Sample a1;
-  double a2;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_tuple(args[0], law, "s", 6)
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "s", 9)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "s", 'd', 1, true, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "s", 'd', 2, true, &view)
@@ -1573,15 +1570,16 @@ static PyObject *py_regressors_gradient_flow(PyObject *self, PyObject *const *ar
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "s", 'd', 1, true, &view)
         && (a0.last = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 5), law, "s", 'd', 1, true, &view)
-        && (a0.middle = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "sample", 2)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "sample", 'd', 2, false, &view)
-        && (a1.D = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "sample", 'd', 1, false, &view)
-        && (a1.y = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[2], &a2)))
+        && (a0.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "s", 'd', 1, true, &view)
+        && (a0.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "s", 'd', 1, true, &view)
+        && (a0.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "s", 'd', 1, true, &view)
+        && (a0.total = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS regressors_gradient_flow(a0, a1, a2); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_flow(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1590,12 +1588,11 @@ static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *ar
   Held held;
   const Py_buffer *view;
   regressors_gradient_Parts a0;
-  regressors_gradient_Sample a1;
-  double a2;
+  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_tuple(args[0], law, "s", 6)
+  if (!(counted(law, count, 2)
+        && take_tuple(args[0], law, "s", 9)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "s", 'd', 1, true, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "s", 'd', 2, true, &view)
@@ -1607,15 +1604,50 @@ static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *ar
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "s", 'd', 1, true, &view)
         && (a0.last = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 5), law, "s", 'd', 1, true, &view)
-        && (a0.middle = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "sample", 2)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "sample", 'd', 2, true, &view)
-        && (a1.D = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "sample", 'd', 1, true, &view)
-        && (a1.y = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[2], &a2)))
+        && (a0.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "s", 'd', 1, true, &view)
+        && (a0.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "s", 'd', 1, true, &view)
+        && (a0.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "s", 'd', 1, true, &view)
+        && (a0.total = (Vector){view->buf, view->shape[0]}, true)
+        && take_double(args[1], &a1)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS regressors_gradient_jump(a0, a1, a2); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_jump(a0, a1); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_regressors_gradient_slope(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:slope";
+  Held held;
+  const Py_buffer *view;
+  double a0;
+  regressors_gradient_Parts a1;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 2)
+        && take_double(args[0], &a0)
+        && take_tuple(args[1], law, "s", 9)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
+        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 2, true, &view)
+        && (a1.gain = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
+        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
+        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
+        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
+        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
+        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "s", 'd', 1, true, &view)
+        && (a1.total = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_slope(a0, a1); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1666,7 +1698,7 @@ static PyObject *py_regressors_gradient_step(PyObject *self, PyObject *const *ar
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "memory", true, 3, &view)
+        && take_memory(&held, args[0], law, "memory", true, 6, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -1677,386 +1709,138 @@ static PyObject *py_regressors_gradient_step(PyObject *self, PyObject *const *ar
   let_go(&held);
   return PyLong_FromLongLong(result);
 }
-static PyObject *py_regressors_gradient_width(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.gradient:width";
+static PyObject *py_regressors_gradient_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.regressors.gradient:usable";
   Held held;
   const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regressors_gradient_width(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_regressors_nonlinear_regression_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:flow";
-  Held held;
-  const Py_buffer *view;
-  regressors_nonlinear_regression_Memory * a0;
-  regressors_nonlinear_regression_Parts a1;
-  Vector a2;
-  double a3;
-  double a4;
-  double a5;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_memory(&held, args[0], law, "memory", false, 5, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "s", 8)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
-        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
-        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
-        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
-        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
-        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
-        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
-        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
-        && (a1.total = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "new", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_double(args[5], &a5)))
-    return let_go(&held);
-  regressors_nonlinear_regression_flow(a0, a1, a2, a3, a4, a5);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_regressors_nonlinear_regression_pace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:pace";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 1)
-        && take_array(&held, args[0], law, "regressor", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = regressors_nonlinear_regression_pace(a0); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_regressors_nonlinear_regression_slope(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:slope";
-  Held held;
-  const Py_buffer *view;
-  regressors_nonlinear_regression_Memory * a0;
-  regressors_nonlinear_regression_Parts a1;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "memory", false, 5, &view)
-        && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "s", 8)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
-        && (a1.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
-        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
-        && (a1.theta = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
-        && (a1.last = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
-        && (a1.between = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
-        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
-        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
-        && (a1.total = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  regressors_nonlinear_regression_slope(a0, a1);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_regressors_nonlinear_regression_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:states";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regressors_nonlinear_regression_states(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_regressors_nonlinear_regression_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:step";
-  Held held;
-  const Py_buffer *view;
-  regressors_nonlinear_regression_Memory * a0;
+  regressors_gradient_Memory * a0;
   Vector a1;
-  Vector a2;
-  int64_t result;
+  bool result;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "memory", true, 5, &view)
+  if (!(counted(law, count, 2)
+        && take_memory(&held, args[0], law, "memory", false, 6, &view)
         && (a0 = view->buf, true)
         && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = regressors_nonlinear_regression_step(a0, a1, a2);
+  result = regressors_gradient_usable(a0, a1);
   let_go(&held);
-  return PyLong_FromLongLong(result);
+  return PyBool_FromLong(result);
 }
-static PyObject *py_regressors_nonlinear_regression_width(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.nonlinear_regression:width";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regressors_nonlinear_regression_width(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_triangular_interlaced_observer_drive(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:drive";
-  Held held;
-  const Py_buffer *view;
-  triangular_interlaced_observer_Parts a0;
-  int64_t a1;
-  int64_t a2;
-  double a3;
-  double a4;
-  Vector a5;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 6)
-        && take_tuple(args[0], law, "parts", 10)
-        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "parts", 'd', 1, false, &view)
-        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "parts", 'd', 2, false, &view)
-        && (a0.A = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "parts", 'd', 2, false, &view)
-        && (a0.closed = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "parts", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "parts", 'd', 1, false, &view)
-        && (a0.y = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "parts", 'd', 1, false, &view)
-        && (a0.w = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "parts", 'd', 1, false, &view)
-        && (a0.term = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "parts", 'd', 1, false, &view)
-        && (a0.after = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "parts", 'd', 2, false, &view)
-        && (a0.program = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "parts", 'd', 1, false, &view)
-        && (a0.answers = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_double(args[3], &a3)
-        && take_double(args[4], &a4)
-        && take_array(&held, args[5], law, "row", 'd', 1, false, &view)
-        && (a5 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = triangular_interlaced_observer_drive(a0, a1, a2, a3, a4, a5); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_triangular_interlaced_observer_follow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:follow";
-  Held held;
-  const Py_buffer *view;
-  triangular_interlaced_observer_Parts a0;
-  double a1;
-  int64_t a2;
-  Vector a3;
-  bool a4;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_tuple(args[0], law, "parts", 10)
-        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "parts", 'd', 1, true, &view)
-        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "parts", 'd', 2, true, &view)
-        && (a0.A = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "parts", 'd', 2, true, &view)
-        && (a0.closed = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "parts", 'd', 2, true, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "parts", 'd', 1, true, &view)
-        && (a0.y = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "parts", 'd', 1, true, &view)
-        && (a0.w = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "parts", 'd', 1, true, &view)
-        && (a0.term = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "parts", 'd', 1, true, &view)
-        && (a0.after = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "parts", 'd', 2, true, &view)
-        && (a0.program = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "parts", 'd', 1, true, &view)
-        && (a0.answers = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[1], &a1)
-        && take_int64_t(args[2], &a2)
-        && take_array(&held, args[3], law, "row", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)
-        && take_bool(args[4], &a4)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS triangular_interlaced_observer_follow(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_triangular_interlaced_observer_settings(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:settings";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = triangular_interlaced_observer_settings(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_triangular_interlaced_observer_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:states";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = triangular_interlaced_observer_states(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_triangular_interlaced_observer_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.interlaced_observer:step";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  Vector a1;
-  Vector a2;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  result = triangular_interlaced_observer_step(a0, a1, a2);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
-static PyObject *py_triangular_program_apply(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.program:apply";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  double a1;
-  double a2;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_int64_t(args[0], &a0)
-        && take_double(args[1], &a1)
-        && take_double(args[2], &a2)))
-    return let_go(&held);
-  result = triangular_program_apply(a0, a1, a2);
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_triangular_program_execute(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.triangular.program:execute";
+static PyObject *py_unknown_input_stage_estimated(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.unknown_input.stage:estimated";
   Held held;
   const Py_buffer *view;
   Vector a0;
   Table a1;
+  double a2;
+  Table a3;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "block", 'd', 1, false, &view)
         && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[1], law, "rows", 'd', 2, false, &view)
+        && take_array(&held, args[1], law, "ends", 'd', 2, false, &view)
         && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a1.m, 4)))
+        && take_double(args[2], &a2)
+        && take_array(&held, args[3], law, "space", 'd', 2, true, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS triangular_program_execute(a0, a1); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS unknown_input_stage_estimated(a0, a1, a2, a3); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_unknown_input_stage_mix(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.unknown_input.stage:mix";
+  Held held;
+  const Py_buffer *view;
+  Table a0;
+  Table a1;
+  Vector a2;
+  Vector a3;
+  Vector a4;
+  bool result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "corners", 'd', 2, false, &view)
+        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[1], law, "axes", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "p", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "weights", 'd', 1, true, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[4], law, "block", 'd', 1, true, &view)
+        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS result = unknown_input_stage_mix(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return PyBool_FromLong(result);
+}
+static PyObject *py_unknown_input_stage_push(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.unknown_input.stage:push";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Table a1;
+  Table a2;
+  double a3;
+  int64_t a4;
+  double a5;
+  Table a6;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 7)
+        && take_array(&held, args[0], law, "block", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "c", 'd', 2, false, &view)
+        && (a1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[2], law, "ends", 'd', 2, false, &view)
+        && (a2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_double(args[3], &a3)
+        && take_int64_t(args[4], &a4)
+        && take_double(args[5], &a5)
+        && take_array(&held, args[6], law, "space", 'd', 2, true, &view)
+        && (a6 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS unknown_input_stage_push(a0, a1, a2, a3, a4, a5, a6); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
 static PyMethodDef methods[] = {
-  {"pointpred_observers.camera.camera_stage:sample_at", (PyCFunction)(void (*)(void))py_camera_camera_stage_sample_at, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.camera_stage:usable", (PyCFunction)(void (*)(void))py_camera_camera_stage_usable, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:carry", (PyCFunction)(void (*)(void))py_camera_depth_carry, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:inside", (PyCFunction)(void (*)(void))py_camera_depth_inside, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:rate", (PyCFunction)(void (*)(void))py_camera_depth_rate, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:step", (PyCFunction)(void (*)(void))py_camera_depth_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.gravity:step", (PyCFunction)(void (*)(void))py_camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:add_noise", (PyCFunction)(void (*)(void))py_camera_kinematics_add_noise, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:back", (PyCFunction)(void (*)(void))py_camera_kinematics_back, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:begin_start", (PyCFunction)(void (*)(void))py_camera_kinematics_begin_start, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:carried", (PyCFunction)(void (*)(void))py_camera_kinematics_carried, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:carry", (PyCFunction)(void (*)(void))py_camera_kinematics_carry, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:carry_column", (PyCFunction)(void (*)(void))py_camera_kinematics_carry_column, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:factor", (PyCFunction)(void (*)(void))py_camera_kinematics_factor, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:propagate", (PyCFunction)(void (*)(void))py_camera_kinematics_propagate, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:push", (PyCFunction)(void (*)(void))py_camera_kinematics_push, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:solve", (PyCFunction)(void (*)(void))py_camera_kinematics_solve, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:started", (PyCFunction)(void (*)(void))py_camera_kinematics_started, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.kinematics:take_image", (PyCFunction)(void (*)(void))py_camera_kinematics_take_image, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:turn_covariance", (PyCFunction)(void (*)(void))py_camera_kinematics_turn_covariance, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:correct", (PyCFunction)(void (*)(void))py_camera_point_filter_correct, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:look", (PyCFunction)(void (*)(void))py_camera_point_filter_look, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:predict", (PyCFunction)(void (*)(void))py_camera_point_filter_predict, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:step", (PyCFunction)(void (*)(void))py_camera_point_filter_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:begin", (PyCFunction)(void (*)(void))py_camera_starting_begin, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:factor", (PyCFunction)(void (*)(void))py_camera_starting_factor, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:solve", (PyCFunction)(void (*)(void))py_camera_starting_solve, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:start", (PyCFunction)(void (*)(void))py_camera_starting_start, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.starting:take", (PyCFunction)(void (*)(void))py_camera_starting_take, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.unknown_input_filter:flow", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_flow, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.unknown_input_filter:predict", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_predict, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.unknown_input_filter:row_at", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_row_at, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.unknown_input_filter:step", (PyCFunction)(void (*)(void))py_camera_unknown_input_filter_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.samples:usable", (PyCFunction)(void (*)(void))py_camera_samples_usable, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.velocity:flow", (PyCFunction)(void (*)(void))py_camera_velocity_flow, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.velocity:predict", (PyCFunction)(void (*)(void))py_camera_velocity_predict, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.velocity:row_at", (PyCFunction)(void (*)(void))py_camera_velocity_row_at, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.velocity:step", (PyCFunction)(void (*)(void))py_camera_velocity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:advance", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_advance, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:along", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:along_both", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along_both, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:bend", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_bend, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:bridge", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_bridge, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:floats", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_floats, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:flow", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:measure", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_measure, METH_FASTCALL, NULL},
@@ -2066,30 +1850,23 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.interconnected.persidskii_law:replace", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_replace, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:slope", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_slope, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_into (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__camera_depth_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)", (PyCFunction)(void (*)(void))py_loop__camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)", (PyCFunction)(void (*)(void))py_loop__camera_point_filter_step, METH_FASTCALL, NULL},
-  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.camera_stage:sample_at) (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_camera_stage_sample_at__camera_depth_step, METH_FASTCALL, NULL},
-  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.unknown_input_filter:row_at) (pointpred_observers.camera.unknown_input_filter:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_unknown_input_filter_row_at__camera_unknown_input_filter_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.nonlinearity:value", (PyCFunction)(void (*)(void))py_nonlinearity_value, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.gradient:finite", (PyCFunction)(void (*)(void))py_regressors_gradient_finite, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.velocity:row_at) (pointpred_observers.camera.velocity:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.plants.boxes:weigh", (PyCFunction)(void (*)(void))py_plants_boxes_weigh, METH_FASTCALL, NULL},
+  {"pointpred_observers.plants.nonlinearity:value", (PyCFunction)(void (*)(void))py_plants_nonlinearity_value, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:bend", (PyCFunction)(void (*)(void))py_regressors_gradient_bend, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:flow", (PyCFunction)(void (*)(void))py_regressors_gradient_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:jump", (PyCFunction)(void (*)(void))py_regressors_gradient_jump, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:slope", (PyCFunction)(void (*)(void))py_regressors_gradient_slope, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:states", (PyCFunction)(void (*)(void))py_regressors_gradient_states, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:steepness", (PyCFunction)(void (*)(void))py_regressors_gradient_steepness, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:step", (PyCFunction)(void (*)(void))py_regressors_gradient_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.gradient:width", (PyCFunction)(void (*)(void))py_regressors_gradient_width, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:flow", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_flow, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:pace", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_pace, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:slope", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_slope, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:states", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_states, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:step", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.nonlinear_regression:width", (PyCFunction)(void (*)(void))py_regressors_nonlinear_regression_width, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:drive", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_drive, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:follow", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_follow, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:settings", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_settings, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:states", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_states, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.interlaced_observer:step", (PyCFunction)(void (*)(void))py_triangular_interlaced_observer_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.program:apply", (PyCFunction)(void (*)(void))py_triangular_program_apply, METH_FASTCALL, NULL},
-  {"pointpred_observers.triangular.program:execute", (PyCFunction)(void (*)(void))py_triangular_program_execute, METH_FASTCALL, NULL},
+  {"pointpred_observers.regressors.gradient:usable", (PyCFunction)(void (*)(void))py_regressors_gradient_usable, METH_FASTCALL, NULL},
+  {"pointpred_observers.unknown_input.stage:estimated", (PyCFunction)(void (*)(void))py_unknown_input_stage_estimated, METH_FASTCALL, NULL},
+  {"pointpred_observers.unknown_input.stage:mix", (PyCFunction)(void (*)(void))py_unknown_input_stage_mix, METH_FASTCALL, NULL},
+  {"pointpred_observers.unknown_input.stage:push", (PyCFunction)(void (*)(void))py_unknown_input_stage_push, METH_FASTCALL, NULL},
   {NULL, NULL, 0, NULL},
 };
 extern const char digest_of_laws[];

@@ -8,11 +8,10 @@ from typing import Any
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred_observers.matrices import matrix, moments
-from pointpred_observers.nonlinearity import intervals, nonlinearity
-from pointpred_observers.persidskii import Persidskii, column, row
+from pointpred_observers.numerics.matrices import matrix, moments
+from pointpred_observers.plants.nonlinearity import intervals, nonlinearity, require_slopes
+from pointpred_observers.plants.persidskii import Persidskii, column, row
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
-from pointpred_observers.slopes import require_slopes
 
 Slopes = tuple[tuple[float, float], ...] | None
 

@@ -8,9 +8,9 @@ import msgspec
 import numpy as np
 
 from pointpred.records import FloatArray
-from pointpred_observers.bounds import ErrorBound, continuous_bound, discrete_bound, region
-from pointpred_observers.matrices import positive
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.numerics.matrices import positive
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
 from pointpred_observers.reduced_order.reversed_connection import Connection
 
 
@@ -55,9 +55,11 @@ def convergence(
 ) -> Convergence:
     """The bound that audited matrices prove."""
     if plant.time == "discrete":
-        bound = discrete_bound(values["P"], values["Xi"], values["Gamma"], sharp=True)
-    else:
-        bound = continuous_bound(values["P"], values["Xi"], values["gamma"])
+        drive = eigenvalues("Gamma", values["Gamma"])[-1]
+    else:  # delta'P delta / gamma, with the factor that the print lacks
+        drive = eigenvalues("P", values["P"])[-1] / values["gamma"]
+    decay = decay_of(values["P"], values["Xi"], plant.time)
+    bound = proved_bound(values["P"], decay, {"delta": drive}, plant.time)
     theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
     sloped = [one.J for one in connections if one.S1.any()]
     domain = plant.domain if sloped else np.inf

@@ -3,34 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 from math import expm1
 from typing import Any
 
 import msgspec
 import numpy as np
 
-from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.balance import Coordinates, balanced, form, inward, least_in_both
-from pointpred_observers.bounds import least_ratio
-from pointpred_observers.detectability import vertices
-from pointpred_observers.eigenvalues import require_decay
-from pointpred_observers.inequalities.audit import answer_of_a_search
-from pointpred_observers.inequalities.matrix_inequalities import MatrixInequalities
-from pointpred_observers.inequalities.unknowns import Block
-from pointpred_observers.matrices import instance, matrix, moments, positive
-from pointpred_observers.persidskii import Persidskii
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.eigenvalues import require_decay, vertices
+from pointpred_observers.numerics.matrices import instance, matrix, moments, positive
+from pointpred_observers.plants.nonlinearity import NARROWER
+from pointpred_observers.plants.persidskii import Persidskii
+from pointpred_observers.proofs.bounds import least_ratio
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Posed, at_decay, inward_all, search
+from pointpred_observers.proofs.stationary import cover, decay_start, middle, normal
+from pointpred_observers.proofs.unknowns import Block
 from pointpred_observers.reduced_order.connections import Slopes, connections_of
 from pointpred_observers.reduced_order.convergence import Convergence, convergence
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
-from pointpred_observers.slopes import NARROWER
-from pointpred_observers.stationary import cover, decay_start, middle, normal
-
-SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
-"""Fractions of the slowest corner's decay that are tried if ``decay`` is ``None``."""
-KEPT = ("P", "Xi", "W", "Gamma", "alpha")
-"""The matrices of the two theorems; others only help to choose among them."""
 
 
 def theorem_3_3_1(
@@ -146,21 +139,15 @@ def certify_convergence(
     for one in connections:
         one.require_equalities()
     slowest = max(_slowest(one, observer.plant) for one in connections)
-    tried = [share * -slowest for share in SHARES] if decay is None else [decay]
-    for rate in tried:
-        try:
-            values, margins, gap = _solved(connections, observer.plant, (rate, gamma or rate), near or {})
-        except (InfeasibleError, UndecidedError) as failure:
-            if rate == tried[-1]:
-                unit = "1/step" if observer.plant.time == "discrete" else "1/s"
-                raise type(failure)(
-                    f"{failure}; with decay = {rate:g} {unit} and gamma = {gamma or rate:g} {unit}"
-                ) from failure
-            continue
-        break
-    if observer.plant.time == "continuous":
-        values["gamma"] = gamma or rate
-    return convergence(connections, observer.plant, values, margins, gap)
+
+    def certified(rate: float) -> Convergence:
+        return _certified(connections, observer.plant, (rate, gamma or rate), near or {})
+
+    def required(rate: float) -> str:
+        unit = "1/step" if observer.plant.time == "discrete" else "1/s"
+        return f"decay = {rate:g} {unit} and gamma = {gamma or rate:g}"
+
+    return at_decay(decay, slowest, observer.plant.time, certified, required)
 
 
 def certified_convergence(
@@ -213,11 +200,6 @@ def symmetric(square: FloatArray) -> FloatArray:
     return 0.5 * (square + square.T)
 
 
-def _size(v: Any) -> float:
-    """The objective: the largest eigenvalues of P and, in discrete time, of Gamma."""
-    return float(v.bound + getattr(v, "noise", 0.0))
-
-
 def _product(one: Connection, f: FloatArray) -> Block:
     return lambda v: v.P @ one.S1 - f
 
@@ -246,13 +228,52 @@ def _next(one: Connection, steepest: Any) -> Block:
     return block
 
 
-def _solved(
+def _certified(
     connections: list[Connection],
     plant: Persidskii,
     rates: tuple[float, float],
     near: dict[str, Any],
-) -> tuple[dict[str, Any], dict[str, float], float]:
-    """Matrices, margins and the gap of the smaller bound, found in balanced units or in the user's."""
+) -> Convergence:
+    """The certificate of the smaller overshoot for a decay and a gamma."""
+    decay, gamma = rates
+    share = decay_share(decay, plant.time)
+
+    def posed(units: Coordinates) -> Posed:
+        x, t = units.states, units.seconds
+        inner = [
+            msgspec.structs.replace(
+                one,
+                S0=inward(one.S0, x, x, t),
+                S1=inward(one.S1, x, units.values, t),
+                J=inward(one.J, units.arguments, x),
+            )
+            for one in connections
+        ]
+        slopes = units.slopes(plant.slopes)
+        problem, identity = _theorem(inner, plant.time, slopes, gamma * t), np.eye(len(x))
+        needed = decay_share(decay * t, plant.time)
+        problem.above("Xi for the decay", lambda v: v.Xi - needed * v.P, strict=False)
+        problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
+        if plant.time == "discrete":
+            problem.number("noise").above(
+                "noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False
+            )
+        form = np.outer(x, x)
+        measured = {"P": form, "Xi": t * form, "W": t * form, "Gamma": form, "alpha": 1.0}
+        given = inward_all(near, measured)
+        start = _start(inner, plant.time, slopes, (decay * t, gamma * t), given)
+        return Posed(problem, measured, lambda v: v.bound + getattr(v, "noise", 0.0), start)
+
+    def audited(values: dict[str, Any], gap: float) -> Convergence:
+        # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
+        missing = share - least_ratio(values["P"], values["Xi"])
+        if missing > 0.0:
+            values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
+        margins = _theorem(connections, plant.time, plant.slopes, gamma).check(values, printed=False)
+        if plant.time == "continuous":
+            values["gamma"] = gamma
+        return convergence(connections, plant, values, margins, gap)
+
     units = balanced(
         [one.S0 for one in connections],
         driven=[one.S1 for one in connections],
@@ -261,61 +282,7 @@ def _solved(
         rates=rates,
         time=plant.time,
     )
-    return least_in_both(
-        units,
-        partial(_posed, connections, plant, rates, near),
-        lambda one: 0.5 * float(np.log(np.linalg.cond(one[0]["P"]))),
-    )
-
-
-def _posed(
-    connections: list[Connection],
-    plant: Persidskii,
-    rates: tuple[float, float],
-    near: dict[str, Any],
-    units: Coordinates,
-) -> tuple[dict[str, Any], dict[str, float], float]:
-    """Matrices and margins in the user's units, from a problem in these, and its gap."""
-    (decay, gamma), x, t = rates, units.states, units.seconds
-    inner = [
-        msgspec.structs.replace(
-            one,
-            S0=inward(one.S0, x, x, t),
-            S1=inward(one.S1, x, units.values, t),
-            J=inward(one.J, units.arguments, x),
-        )
-        for one in connections
-    ]
-    slopes = units.slopes(plant.slopes)
-    problem, identity = _theorem(inner, plant.time, slopes, gamma * t), np.eye(len(x))
-    needed = decay_share(decay * t, plant.time)
-    problem.above("Xi for the decay", lambda v: v.Xi - needed * v.P, strict=False)
-    problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
-    if plant.time == "discrete":
-        problem.number("noise").above("noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False)
-    given = {
-        name: one if name == "alpha" else symmetric(inward(one, 1.0 / x, x, t if name == "W" else 1.0))
-        for name, one in near.items()
-    }
-    start = _start(inner, plant.time, slopes, (decay * t, gamma * t), given)
-    solution = problem.solve(minimise=_size, near=start)
-    values = {
-        name: one if name == "alpha" else form(one, x)
-        for name, one in solution.values.items()
-        if name in KEPT
-    }
-    for name in ("Xi", "W"):
-        if name in values:
-            values[name] = values[name] / t
-    theorem = _theorem(connections, plant.time, plant.slopes, gamma)
-    with answer_of_a_search():
-        # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
-        share = decay_share(decay, plant.time)
-        missing = share - least_ratio(values["P"], values["Xi"])
-        if missing > 0.0:
-            values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
-        margins = theorem.check(values, printed=False)
-    return values, margins, np.inf if solution.gap is None else solution.gap
+    return search(units, posed, audited, lambda one: 0.5 * float(np.log(np.linalg.cond(one.values["P"]))))
 
 
 def _start(

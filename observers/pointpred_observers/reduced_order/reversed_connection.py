@@ -3,22 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, ClassVar
 
 import msgspec
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.equalities import TOLERANCE, column_units, or_one, share_of_terms
-from pointpred_observers.linear_systems import Plant, as_plant
-from pointpred_observers.matrices import (
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.simulation import like, open_loop, walked
+from pointpred_observers.numerics.equalities import (
+    NO_DIGIT,
+    TOLERANCE,
+    column_units,
+    or_one,
+    share_of_terms,
+    without_rounding,
+)
+from pointpred_observers.numerics.matrices import (
     dimensions,
     instance,
     matrix,
     share,
 )
-from pointpred_observers.rounding import NO_DIGIT, without_rounding
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.documents import PlantDocument
+from pointpred_observers.plants.entries import Document, Functions, Rows, entries
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting
 
 Given = Any
 """A matrix, or a function of t (of the index in discrete time)."""
@@ -60,12 +76,14 @@ class Connection(msgspec.Struct, frozen=True):
                 )
 
 
-class InvariantObserver:
+class InvariantObserver(Observer):
     """An observer with the invariant w = Pi x + Upsilon y; see ``invariant_observer``.
 
-    Assumes y = C0 x + C1
-    f(Hx) without noise; that w converges to it needs a certificate.
+    Assumes y = C0 x + C1 f(Hx) without noise; that w converges to it needs a certificate.
     """
+
+    kind: ClassVar[str] = "invariant"
+    plant: Any = None  # set at once: it stands in place of the property of ``Observer``
 
     def __init__(
         self,
@@ -86,10 +104,6 @@ class InvariantObserver:
         self.varying = bool(plant.varying) or any(callable(one) for one in self._given.values())
         self._check_rates()
         self._latest = 0.0, self._connection(0.0)
-
-    def given(self, name: str) -> Any:
-        """Pi, Upsilon or B as given: an array, a function of t, or ``None`` for a B that was computed."""
-        return self._given[name]
 
     def at(self, t: float) -> Connection:
         """The matrices at t (at the index, in discrete time)."""
@@ -167,6 +181,131 @@ class InvariantObserver:
         """The plant's state from w and y."""
         onto, straight = self.recovery(t)
         return np.asarray(onto @ np.asarray(w, np.float64) + straight @ np.atleast_1d(y))
+
+    @property
+    def chosen(self) -> dict[str, FloatArray]:
+        """Upsilon at the start."""
+        return {"Upsilon": self._maps(0.0)[2]}
+
+    def error_system(self) -> ErrorSystem:
+        """(3.26): w^ - (Pi x + Upsilon y), disturbed by ``delta`` of the observer's equation and ``v`` of y.
+
+        Raises ParameterError where the matrices vary; CertificateError where w = Pi x + Upsilon y is not
+        invariant, so that its error obeys no such equation.
+        """
+        if self.varying:
+            raise ParameterError("an error system needs constant matrices, those of the observer vary")
+        now, plant = self.at(0.0), self.plant
+        now.require_equalities()
+        return sloped_system(
+            now.S0,
+            without_rounding(now.S1, now.onward @ plant.A1),
+            now.J,
+            {"delta": np.eye(self.q), "v": now.B},
+            slopes=plant.slopes,
+            time=plant.time,
+            through={"v": now.R},
+            domain=plant.domain,
+        )
+
+    def stage(self, *, start: ArrayLike | None = None, **settings: Any) -> PersidskiiStage:
+        """Observer (3.17) or (3.19) as a stage: inputs are y, then u; it returns the plant's x.
+
+        Assumes C1 = 0 and that w and y determine x, as for a reduced-order observer. The measured part of the
+        output is the measurement with its noise, which also enters the rest through Upsilon. While an output
+        is missing it follows the plant's equation, y' = C0 x'; a missing u keeps its last value. Compiled for
+        constant matrices and an f that has a name; others run in numpy.
+
+        Parameters: ``start`` a guess of the plant's state, default zeros; ``step_s`` and ``gap_s`` as for
+        ``PersidskiiStage``. Raises ParameterError.
+
+        Reference: Khalin 2022, (3.17), (3.19), (3.29).
+
+        >>> from pointpred_observers import Persidskii
+        >>> plant = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0])
+        >>> stage = InvariantObserver(plant, [[0.0, 1.0]], [[-20.0]]).stage(step_s=0.01)
+        >>> for i in range(100):
+        ...     state = stage.update(i / 100, [0.3 * i / 100])
+        >>> state.round(6).tolist()
+        [0.297, 0.3]
+        >>> stage.update(1.5, None).round(4).tolist()  # half a second later, without a measurement
+        [0.45, 0.3]
+        """
+        plant, now = self.plant, self.at(0.0)
+        m, inputs = plant.p + plant.m + plant.z, plant.m + plant.z
+        guess = np.zeros(plant.n) if start is None else matrix("start", start, 1, plant.n)[0]
+        stay = np.eye(m)[plant.p :] if plant.time == "discrete" else np.zeros((inputs, m))
+
+        def of(one: Callable[[float], Any]) -> Any:
+            return one if self.varying else one(0.0)
+
+        def below(part: int, rest: FloatArray) -> Any:
+            return of(lambda t: np.vstack([self.output_rate(t)[part], rest]))
+
+        def inner(t: float) -> tuple[FloatArray, FloatArray]:
+            """J and R with Hx = Jw + Ry, also where the observer has no f of its own."""
+            one = self.at(t)
+            if one.S1.any():
+                return one.J, one.R
+            onto, straight = self.recovery(t)
+            h = plant.matrices(t)["H"]
+            return h @ onto, h @ straight
+
+        missing = MissingInputs(
+            (False,) * m,
+            below(0, np.zeros((inputs, self.q))),
+            below(1, np.zeros((inputs, plant.k))),
+            below(2, stay),
+            np.concatenate([plant.C0 @ guess, np.zeros(inputs)]),
+        )
+        return PersidskiiStage(
+            of(lambda t: self.at(t).S0),
+            of(lambda t: self.at(t).S1),
+            of(lambda t: inner(t)[0]),
+            of(lambda t: np.hstack([self.at(t).B, self.at(t).O])),
+            plant.f,
+            R0=of(lambda t: self.recovery(t)[0]),
+            R=of(lambda t: np.hstack([inner(t)[1], np.zeros((plant.r, inputs))])),
+            R2=of(lambda t: np.hstack([self.recovery(t)[1], np.zeros((plant.n, inputs))])),
+            start=now.Z @ guess,
+            missing=missing,
+            time=plant.time,
+            **settings,
+        )
+
+    def simulated(
+        self, plant: Any, setting: Setting, title: str = "observer", bound: FloatArray | None = None
+    ) -> Simulation:
+        """The plant that nothing feeds back."""
+        one = like(plant, self.plant)
+        times = setting.samples(one.time == "discrete")
+        stage = self.stage(start=setting.begin(one.n, "estimate", 0.0))
+        state, inputs, outputs = open_loop(one, setting, times)
+        answers = walked(stage, times, outputs, inputs)
+        return Simulation.of(one, times, state, answers, outputs, inputs, title, bound=bound)
+
+    def document(self) -> InvariantDocument:
+        """Plant and maps, which must not vary."""
+        return InvariantDocument(**self.kept())
+
+    def kept(self) -> dict[str, Any]:
+        """The fields of its document; raises ParameterError for maps that vary."""
+        given = self._given
+        if moving := [name for name, one in given.items() if callable(one)]:
+            raise ParameterError(
+                f"an observer whose {', '.join(moving)} vary cannot be saved: save the plant, and make the "
+                "observer again with invariant_observer"
+            )
+        return {
+            "plant": PlantDocument.of(self.plant),
+            "Pi": entries(matrix("Pi", given["Pi"], None, self.plant.n)),
+            "Upsilon": entries(matrix("Upsilon", given["Upsilon"], self.q))
+            if np.size(given["Upsilon"])
+            else [],
+            "B": None if given["B"] is None else entries(matrix("B", given["B"], self.q)),
+            "injection": bool(self.injection),
+            "tolerance": self.tolerance,
+        }
 
     def _maps(self, t: float) -> tuple[dict[str, FloatArray], FloatArray, FloatArray, FloatArray]:
         """The plant's matrices, Pi, Upsilon and Z at t."""
@@ -255,6 +394,28 @@ class InvariantObserver:
             raise ParameterError(
                 f"{', '.join(sorted(missing))} vary in continuous time: give their derivatives in rates"
             )
+
+
+class InvariantDocument(Document, tag="invariant observer", frozen=True):
+    """An ``InvariantObserver`` of constant maps."""
+
+    plant: PlantDocument
+    Pi: Rows
+    tolerance: float
+    Upsilon: Rows | None = None
+    B: Rows | None = None
+    injection: bool = False
+
+    def made(self, functions: Functions) -> Any:
+        """The observer."""
+        return InvariantObserver(
+            self.plant.made(functions),
+            self.Pi,
+            self.Upsilon,
+            B=self.B,
+            injection=self.injection,
+            tolerance=self.tolerance,
+        )
 
 
 def invariant_observer(

@@ -1,4 +1,4 @@
-"""How much a recorded signal excites: definitions 1.3.12, 1.3.13 and 3.3.1 as measures."""
+"""What a record allows a regressor: definitions 1.3.12, 1.3.13 and 3.3.1, and Theorem 3.3.3, as measures."""
 
 from __future__ import annotations
 
@@ -6,8 +6,13 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.errors import ParameterError
+from pointpred.errors import ParameterError, UndecidedError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray
+from pointpred_observers.numerics.matrices import TIMES, matrix, one_of, positive, vector
+
+PASSES_MOST = 200
+"""Most passes over a record in which P of Theorem 3.3.3 must settle."""
 
 
 class Excitation(msgspec.Struct, frozen=True):
@@ -22,58 +27,51 @@ class Excitation(msgspec.Struct, frozen=True):
     direction: tuple[float, ...]
 
 
-def persistent_excitation(t: ArrayLike, signal: ArrayLike, window_s: float) -> Excitation:
+def persistent_excitation(
+    t: ArrayLike | None, signal: ArrayLike, window: float, *, time: str = "continuous"
+) -> Excitation:
     """The least excitation of a signal over all windows of a record.
 
-    Assumes the signal linear between its samples, and describes the record only: later data may excite less.
-    A level is in the square of the signal's unit times s, and grows with the window.
+    Assumes the signal linear between its samples, in discrete time nothing, and describes the record only:
+    later data may excite less. A level grows with the window; it is in the square of the signal's unit times
+    s, in discrete time without s.
 
     mu = min over t of the least eigenvalue of the integral over [t, t + T] of phi phi' ds, for windows
-    that start at the samples.
+    that start at the samples; in discrete time of the sum of l samples.
 
-    Parameters: ``t`` s, increasing; ``signal`` of shape (samples, n), or (samples, p, n) for a regressor of
-    p outputs, where phi phi' stands for D'D; ``window_s`` T, positive and within the record.
-    Returns an ``Excitation``. Raises ParameterError.
+    Parameters: ``t`` s, increasing, ``None`` in discrete time; ``signal`` of shape (samples, n), or
+    (samples, p, n) for a regressor of p outputs, where phi phi' stands for D'D; ``window`` T in s, positive
+    and within the record, in discrete time l, from 1 to the number of samples. Raises ParameterError.
 
-    Reference: Khalin 2022, definition 1.3.12.
+    Reference: Khalin 2022, definitions 1.3.12 and 3.3.1.
 
     >>> t = np.linspace(0.0, 20.0, 4001)
     >>> found = persistent_excitation(t, np.stack([np.ones_like(t), np.sin(t)], axis=1), 2 * np.pi)
     >>> round(found.level, 3)  # pi: the integral of sin^2 over a period
     3.142
+    >>> turns = [[1.0, 0.0], [0.0, 2.0], [1.0, 0.0], [0.0, 2.0]]
+    >>> [persistent_excitation(None, turns, l, time="discrete").level for l in (1, 2)]
+    [0.0, 1.0]
     """
-    times = increasing(t)
-    starts, sums = _windows(times, products(len(times), signal, signal), _window(times, window_s))
-    return _weakest(starts, sums)
-
-
-def discrete_excitation(signal: ArrayLike, window: int) -> Excitation:
-    """The least excitation of a sequence over all windows of so many samples.
-
-    Assumes nothing between the samples, and describes the record only.
-
-    mu = min over k of the least eigenvalue of the sum of phi_i phi_i' for i = k ... k + l - 1.
-
-    Parameters: ``signal`` of shape (samples, n) or (samples, p, n); ``window`` l, from 1 to the number
-    of samples. Returns an ``Excitation``. Raises ParameterError.
-
-    Reference: Khalin 2022, definition 3.3.1.
-
-    >>> discrete_excitation([[1.0, 0.0], [0.0, 2.0], [1.0, 0.0], [0.0, 2.0]], 2).level
-    1.0
-    >>> discrete_excitation([[1.0, 0.0], [0.0, 2.0], [1.0, 0.0], [0.0, 2.0]], 1).level
-    0.0
-    """
-    phi = samples(signal, None)
-    if isinstance(window, bool) or not isinstance(window, int) or not 1 <= window <= len(phi):
-        raise ParameterError(
-            f"window must be a whole number in [1, {len(phi)}], received {window!r}",
-            field="window",
-            value=window,
-        )
-    total = np.cumsum(np.einsum("kpi,kpj->kij", phi, phi), axis=0)
-    total = np.concatenate([np.zeros_like(total[:1]), total])
-    return _weakest(np.arange(len(phi) - window + 1.0), total[window:] - total[:-window])
+    if one_of("time", time, TIMES) == "continuous":
+        times = _increasing(t)
+        phi = _samples(signal, len(times))
+        starts, sums = _windows(times, phi, phi, _within(times, window))
+    else:
+        phi = _samples(signal)
+        if isinstance(window, bool) or not isinstance(window, int) or not 1 <= window <= len(phi):
+            raise ParameterError(
+                f"window must be a whole number in [1, {len(phi)}], received {window!r}",
+                field="window",
+                value=window,
+            )
+        total = np.zeros((len(phi) + 1, *phi.shape[2:] * 2))
+        total[1:] = np.cumsum(np.einsum("kpi,kpj->kij", phi, phi), axis=0)
+        starts, sums = np.arange(len(phi) - window + 1.0), total[window:] - total[:-window]
+    values, vectors = np.linalg.eigh(sums)
+    worst = int(values[:, 0].argmin())
+    level = max(float(values[worst, 0]), 0.0)
+    return Excitation(level, float(starts[worst]), tuple(vectors[worst, :, 0].tolist()))
 
 
 def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, window_s: float) -> float:
@@ -99,12 +97,18 @@ def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, windo
     >>> linear_independence(t, both, np.sin(2 * t)[:, None], 1.0) > 0.5
     True
     """
-    times = increasing(t)
-    window = _window(times, window_s)
+    times = _increasing(t)
+    window = _within(times, window_s)
+    pair = _samples(first, len(times)), _samples(second, len(times))
+    if pair[0].shape[1] != pair[1].shape[1]:
+        raise ParameterError(
+            f"both signals need as many outputs, received {pair[0].shape[1]} and {pair[1].shape[1]}"
+        )
     spreads = []
-    for one, other in ((first, second), (second, first)):
-        _, own = _windows(times, products(len(times), one, one), window)
-        _, cross = _windows(times, products(len(times), one, other), window)
+    for one, other in (pair, pair[::-1]):
+        own, cross, whole = (
+            _windows(times, *two, window)[1] for two in ((one, one), (one, other), (other, other))
+        )
         values = np.linalg.eigvalsh(own)
         weakest = float((values[:, 0] / values[:, -1]).min()) if values[:, -1].min() > 0.0 else 0.0
         if weakest < 1e-12:
@@ -113,38 +117,102 @@ def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, windo
                 f"{weakest:.2g} of the largest: choose a longer window"
             )
         ratio = np.linalg.solve(own, cross)
-        _, whole = _windows(times, products(len(times), other, other), window)
         usual = np.sqrt(np.trace(whole, axis1=1, axis2=2).mean() / np.trace(own, axis1=1, axis2=2).mean())
         spreads.append(float(np.ptp(ratio, axis=0).max() / usual))
     return min(spreads)
 
 
-def increasing(t: ArrayLike) -> FloatArray:
-    """Times as numbers; raises ParameterError unless there are two and they increase."""
-    times = numbers("t", t)
-    if times.ndim != 1 or len(times) < 2 or not np.isfinite(times).all() or np.diff(times).min() <= 0.0:
+class RegressionMargin(msgspec.Struct, frozen=True):
+    """The least ``margin`` of Theorem 3.3.3 over the record, the time ``at`` which it occurs, and P there.
+
+    With a positive margin V = e'Pe decreases by at least 2 margin abs(e)^2; otherwise the theorem does not
+    apply.
+    """
+
+    margin: float
+    at: float
+    P: FloatArray
+
+
+def regression_margin(
+    t: ArrayLike, regressor: ArrayLike, weight: ArrayLike, gain: float, *, flattest: float = 0.0
+) -> RegressionMargin:
+    """The margin of Theorem 3.3.3 on a record of J and D1 that repeats periodically.
+
+    Assumes f with slopes between ``flattest`` and 1, and J, D1 constant within a sample's interval.
+    The theorem shows asymptotic stability, not the input-to-state stability that it claims.
+
+    P' = g (P J'J + J'J P) - I, solved backwards; with f(Jw) - f(Jz) = s J e the condition
+    -g D1 e'P J'(f(Jw) - f(Jz) - J e) < e'e / 2 is g D1 (1 - s) max eig sym(P J'J) < 1/2 at the flattest s.
+
+    Parameters: ``t`` s, increasing; ``regressor`` (samples, n) or (samples, r, n); ``weight`` D1 in [0, 1];
+    ``gain`` g > 0; ``flattest`` in [0, 1]. Raises ParameterError; UndecidedError if P does not converge, as
+    without excitation.
+
+    Reference: Khalin 2022, (3.52), Theorem 3.3.3.
+
+    >>> t = np.linspace(0.0, 2 * np.pi, 200)
+    >>> j = np.stack([np.cos(t), np.sin(t)], axis=1)
+    >>> round(regression_margin(t, j, np.full(200, 0.2), 1.0).margin, 3)
+    0.288
+    """
+    times = _increasing(t)
+    j = _samples(regressor, len(times))
+    d1 = vector("weight", weight, len(times))
+    if not ((d1 >= 0.0) & (d1 <= 1.0)).all():
         raise ParameterError(
-            f"t must be at least two finite, increasing times, received shape {times.shape}", field="t"
+            f"weight must lie in [0, 1] in every sample, received {weight!r}", field="weight"
         )
+    gain, flattest = positive("gain", gain), positive("flattest", flattest, zero=True)
+    if flattest > 1.0:
+        raise ParameterError(f"flattest must lie in [0, 1], received {flattest!r}", field="flattest")
+    squares = np.einsum("kri,krj->kij", j, j)
+    middle, h = 0.5 * (squares[:-1] + squares[1:]), np.diff(times)
+    values, vectors = np.linalg.eigh(middle)
+    rate = gain * np.maximum(values, 0.0) * h[:, None]
+    fade = np.einsum("kia,ka,kja->kij", vectors, np.exp(-rate), vectors)
+    twice = np.where(rate > 5e-13, 2.0 * rate, 1.0)
+    share = np.where(rate > 5e-13, -np.expm1(-twice) / twice, 1.0)  # (1 - exp(-x)) / x, 1 at 0
+    gained = np.einsum("kia,ka,kja->kij", vectors, share * h[:, None], vectors)
+    p, last = np.zeros(squares.shape[1:]), np.inf
+    for _ in range(PASSES_MOST):
+        first, backwards = p, []
+        for forget, new in zip(fade[::-1], gained[::-1], strict=True):
+            p = new + forget @ p @ forget
+            backwards.append(p)
+        last = float(np.abs(p - first).max()) / float(np.abs(p).max())
+        if last < 1e-9:
+            break
+    else:
+        raise UndecidedError(
+            f"P still changes by {last:.2g} of itself after {PASSES_MOST} passes: no excitation?"
+        )
+    forms = np.array(backwards[::-1])
+    product = forms @ squares[:-1]
+    worst = np.linalg.eigvalsh(0.5 * (product + np.swapaxes(product, 1, 2)))[:, -1]
+    margins = 0.5 - gain * (1.0 - flattest) * d1[:-1] * worst
+    k = int(margins.argmin())
+    return RegressionMargin(float(margins[k]), float(times[k]), forms[k])
+
+
+def _increasing(t: ArrayLike | None) -> FloatArray:
+    """Times as numbers; raises ParameterError unless there are two and they increase."""
+    times: FloatArray = matrix("t", t, 1)[0]
+    if len(times) < 2 or np.diff(times).min() <= 0.0:
+        raise ParameterError(f"t must be at least two increasing times, received {t!r:.80}", field="t")
     return times
 
 
-def numbers(name: str, value: ArrayLike) -> FloatArray:
-    """An array of any shape; raises ParameterError for what is no array of numbers."""
+def _samples(signal: ArrayLike, count: int | None = None) -> FloatArray:
+    """A signal of shape (samples, p, n); raises ParameterError for any other or if not finite."""
     try:
-        return np.asarray(value, np.float64)
+        values = np.asarray(signal, np.float64)
     except (TypeError, ValueError) as unusable:
         raise ParameterError(
-            f"{name} must be an array of numbers, received {value!r:.80}", field=name, value=value
+            f"a signal must be numbers, received {signal!r:.80}", field="signal"
         ) from unusable
-
-
-def samples(signal: ArrayLike, count: int | None) -> FloatArray:
-    """A signal of shape (samples, p, n); raises ParameterError for any other or if not finite."""
-    values = numbers("signal", signal)
-    if values.ndim == 2:
-        values = values[:, None, :]
-    if values.ndim != 3 or values.size == 0 or (count is not None and len(values) != count):
+    values = values[:, None, :] if values.ndim == 2 else values
+    if values.ndim != 3 or values.size == 0 or count not in (None, len(values)):
         rows = "samples" if count is None else str(count)
         raise ParameterError(
             f"a signal needs shape ({rows}, n) or ({rows}, p, n), received {values.shape}", field="signal"
@@ -154,32 +222,22 @@ def samples(signal: ArrayLike, count: int | None) -> FloatArray:
     return values
 
 
-def products(count: int, first: ArrayLike, second: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """Both signals with as many samples as there are times and as many outputs as each other."""
-    one, other = samples(first, count), samples(second, count)
-    if one.shape[1] != other.shape[1]:
-        raise ParameterError(
-            f"both signals need as many outputs, received {one.shape[1]} and {other.shape[1]}"
-        )
-    return one, other
-
-
-def _window(times: FloatArray, window_s: float) -> float:
+def _within(times: FloatArray, window: float) -> float:
+    """A window; raises ParameterError for one that is not within the record."""
     length = float(times[-1] - times[0])
-    if isinstance(window_s, bool) or not isinstance(window_s, int | float) or not 0.0 < window_s <= length:
+    if not is_number(window) or not 0.0 < window <= length:
         raise ParameterError(
-            f"window_s must lie in (0, {length:g}] s, the record, received {window_s!r}",
-            field="window_s",
-            value=window_s,
+            f"window must lie in (0, {length:g}] s, the record, received {window!r}",
+            field="window",
+            value=window,
         )
-    return float(window_s)
+    return float(window)
 
 
 def _windows(
-    times: FloatArray, pair: tuple[FloatArray, FloatArray], window: float
+    times: FloatArray, one: FloatArray, other: FloatArray, window: float
 ) -> tuple[FloatArray, FloatArray]:
     """Starts of all windows, and the integral of the product over each, exact for linear pieces."""
-    one, other = pair
     total = np.zeros((len(times), one.shape[2], other.shape[2]))
     total[1:] = np.cumsum(_piece(np.diff(times), one[:-1], one[1:], other[:-1], other[1:]), axis=0)
     starts = times[: np.searchsorted(times, times[-1] - window, side="right")]
@@ -201,10 +259,3 @@ def _piece(h: FloatArray, a: FloatArray, b: FloatArray, c: FloatArray, d: FloatA
     ends = np.einsum(outer, a, c) + np.einsum(outer, b, d)
     mixed = np.einsum(outer, a, d) + np.einsum(outer, b, c)
     return np.asarray(h[:, None, None] * (2.0 * ends + mixed) / 6.0)
-
-
-def _weakest(starts: FloatArray, sums: FloatArray) -> Excitation:
-    values, vectors = np.linalg.eigh(sums)
-    worst = int(values[:, 0].argmin())
-    level = max(float(values[worst, 0]), 0.0)
-    return Excitation(level, float(starts[worst]), tuple(vectors[worst, :, 0].tolist()))

@@ -1,11 +1,11 @@
-"""Gradient estimators (3.46) and (3.58): regressors as observers of constants.
+"""Gradient estimators (3.46), (3.50) and (3.58): regressors as observers of constants.
 
 The parameters are the constant state of a plant; its reversed connection (section 3.3) estimates them.
 """
 
 from __future__ import annotations
 
-from math import inf
+from math import ceil, inf
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
@@ -19,27 +19,38 @@ from pointpred.records import FloatArray, FloatTable
 from pointpred.regression import gradient
 from pointpred.regression.least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
-from pointpred_observers.matrices import TIMES, one_of
+from pointpred_observers.numerics.matrices import TIMES, one_of
+from pointpred_observers.plants import nonlinearity
+from pointpred_observers.plants.nonlinearity import KNOWN
 
-CONTINUOUS, DISCRETE, NORMALISED = 0.0, 1.0, 2.0
+CONTINUOUS, DISCRETE, NORMALISED, NONLINEAR = 0.0, 1.0, 2.0, 3.0
 """Kinds of law, as stored in the memory."""
 TAKEN, BACKWARDS, TOO_STEEP, UNUSABLE = 0, 1, 2, 3
 """Results of a step."""
+STEPS_MOST = 10_000
+"""Most integration steps of the nonlinear law for one sample."""
+STEP_MOST = 0.5
+"""Longest step of the integration, in units of the fastest time constant."""
+MONOTONE = tuple(name for name, one in KNOWN.items() if one.low >= 0.0 and np.isfinite(one.high))
+"""Nondecreasing nonlinearities with a bounded slope."""
 
 
 class Memory(Layout):
-    """Unknowns n, outputs p, kind of law; then ``Parts``, whose sizes follow."""
+    """Unknowns n, outputs p, floats of a sample, kind of law, code of f, its slope; then ``Parts``."""
 
     count: float
     outputs: float
+    width: float
     kind: float
+    code: float
+    steepest: float
     rest: Annotated[FloatArray, None]
 
 
 class Parts(NamedTuple):
     """Start (n) and gain (n, n); whether there was a sample, and t; theta minus its start; two samples.
 
-    A sample is p rows of the regressor, then p outputs; the second one lies in the middle of an interval.
+    The second sample lies within an interval; then there is space for a step of the integration (n each).
     """
 
     start: FloatArray
@@ -47,42 +58,44 @@ class Parts(NamedTuple):
     clock: FloatArray
     theta: FloatArray
     last: FloatArray
-    middle: FloatArray
+    between: FloatArray
+    stage: FloatArray
+    change: FloatArray
+    total: FloatArray
 
 
 class Sample(NamedTuple):
-    """Outputs and their regressor: y (p) = D (p, n) theta."""
+    """The regressor (p, n), then the outputs y (p); in the nonlinear law D1 follows them."""
 
     D: FloatTable
     y: FloatArray
 
 
 @law
-def width(n: int, p: int) -> int:
-    """Floats of a sample."""
-    return p * n + p
-
-
-@law
-def states(n: int, p: int) -> int:
+def states(n: int, width: int) -> int:
     """Floats of the state."""
-    return 2 + n + 2 * width(n, p)
+    return 2 + 4 * n + 2 * width
 
 
 @law
 def parts_of(memory: Memory) -> Parts:
     """The parts in their places."""
-    n = int(memory.count)
-    gain_at, clock_at = n, n + n * n
-    theta_at, last_at = clock_at + 2, clock_at + 2 + n
-    middle_at = last_at + width(n, int(memory.outputs))
+    n, width = int(memory.count), int(memory.width)
+    clock_at = n + n * n
+    theta_at = clock_at + 2
+    last_at = theta_at + n
+    between_at = last_at + width
+    stage_at = between_at + width
     return Parts(
-        memory.rest[:gain_at],
-        memory.rest[gain_at:clock_at].reshape(n, n),
+        memory.rest[:n],
+        memory.rest[n:clock_at].reshape(n, n),
         memory.rest[clock_at:theta_at],
         memory.rest[theta_at:last_at],
-        memory.rest[last_at:middle_at],
-        memory.rest[middle_at : middle_at + middle_at - last_at],
+        memory.rest[last_at:between_at],
+        memory.rest[between_at:stage_at],
+        memory.rest[stage_at : stage_at + n],
+        memory.rest[stage_at + n : stage_at + 2 * n],
+        memory.rest[stage_at + 2 * n : stage_at + 3 * n],
     )
 
 
@@ -91,15 +104,6 @@ def sample_of(numbers: FloatArray, n: int) -> Sample:
     """The parts of a sample."""
     p = len(numbers) // (n + 1)
     return Sample(numbers[: p * n].reshape(p, n), numbers[p * n : p * n + p])
-
-
-@law
-def finite(row: FloatArray) -> bool:
-    """Whether every number of a row is finite."""
-    for i in range(1, len(row)):
-        if not abs(row[i]) < inf:
-            return False
-    return bool(abs(row[0]) < inf)
 
 
 @law
@@ -115,8 +119,9 @@ def steepness(d: FloatTable, gain: FloatTable) -> float:
 
 
 @law
-def flow(s: Parts, sample: Sample, h: float) -> None:
+def flow(s: Parts, h: float) -> None:
     """Follow (3.46) over ``h`` s: exact for one output, a symmetric splitting of second order for several."""
+    sample = sample_of(s.between, len(s.start))
     p = len(sample.y)
     for i in range(2 * p):
         row = i if i < p else 2 * p - 1 - i
@@ -127,9 +132,10 @@ def flow(s: Parts, sample: Sample, h: float) -> None:
 
 
 @law
-def jump(s: Parts, sample: Sample, share: float) -> None:
+def jump(s: Parts, share: float) -> None:
     """One step of (3.58) with ``share`` of the gain; the outputs of the sample become their errors."""
     n = len(s.start)
+    sample = sample_of(s.between, n)
     for row in range(len(sample.y)):
         for j in range(n):
             sample.y[row] -= sample.D[row, j] * (s.start[j] + s.theta[j])
@@ -141,29 +147,83 @@ def jump(s: Parts, sample: Sample, share: float) -> None:
 
 
 @law
+def slope(code: float, s: Parts) -> None:
+    """Write G J'(y - (1 - D1) J theta - D1 f(J theta)) of the stage at the interpolated sample."""
+    n, weight = len(s.start), s.between[len(s.between) - 1]
+    sample = sample_of(s.between, n)
+    for i in range(n):
+        s.change[i] = 0.0
+    for row in range(len(sample.y)):
+        argument = 0.0
+        for i in range(n):
+            argument += sample.D[row, i] * (s.stage[i] + s.start[i])
+        error = sample.y[row] - (1.0 - weight) * argument - weight * nonlinearity.value(code, argument)
+        for i in range(n):
+            for j in range(n):
+                s.change[i] += s.gain[i, j] * sample.D[row, j] * error
+
+
+@law
+def bend(code: float, s: Parts, new: FloatArray, begin: float, h: float, dt: float) -> None:
+    """A step of the classical Runge-Kutta method over the share ``h`` of the interval ``dt``."""
+    n = len(s.start)
+    for i in range(n):
+        s.stage[i] = s.theta[i]
+        s.total[i] = 0.0
+    for part in range(4):
+        at = begin + (0.0 if part == 0 else h if part == 3 else 0.5 * h)
+        for i in range(len(s.last)):
+            s.between[i] = s.last[i] + at * (new[i] - s.last[i])
+        slope(code, s)
+        weight = 1.0 if part == 0 or part == 3 else 2.0
+        ahead = h * dt if part == 2 else 0.5 * h * dt
+        for i in range(n):
+            s.total[i] += weight * s.change[i]
+            s.stage[i] = s.theta[i] + ahead * s.change[i]
+    for i in range(n):
+        s.theta[i] += h * dt / 6.0 * s.total[i]
+
+
+@law
+def usable(memory: Memory, row: FloatArray) -> bool:
+    """Whether every number of a row is finite and D1 lies in [0, 1]."""
+    for i in range(len(row)):
+        if not abs(row[i]) < inf:
+            return False
+    weight = row[len(row) - 1]
+    return bool(memory.kind != NONLINEAR or (weight >= 0.0 and weight <= 1.0))
+
+
+@law
 def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
     """Process t and a sample and write the estimate to ``out``; a refused row changes nothing."""
     s = parts_of(memory)
     n, new = len(s.start), row[1:]
-    if not finite(row):
+    if not usable(memory, row):
         return UNUSABLE
     started, h = s.clock[0] == 1.0, row[0] - s.clock[1]
     if started and h < 0.0:
         return BACKWARDS
-    middle = sample_of(s.middle, n)
+    steep = steepness(sample_of(new, n).D, s.gain)
     if memory.kind == CONTINUOUS:
         for i in range(len(s.last)):
-            s.middle[i] = 0.5 * (s.last[i] + new[i])
+            s.between[i] = 0.5 * (s.last[i] + new[i])
         if started:
-            flow(s, middle, h)
+            flow(s, h)
+    elif memory.kind == NONLINEAR:
+        fastest = max(steepness(sample_of(s.last, n).D, s.gain), steep) * memory.steepest
+        needed = fastest * h / STEP_MOST if started else 0.0
+        if not needed <= STEPS_MOST:
+            return TOO_STEEP
+        steps = max(1, ceil(needed)) if started and h > 0.0 else 0
+        for i in range(steps):
+            bend(memory.code, s, new, i / steps, 1.0 / steps, h)
     else:
-        now = sample_of(new, n)
-        steep = steepness(now.D, s.gain)
         if memory.kind == DISCRETE and not steep < 2.0:
             return TOO_STEEP
         for i in range(len(s.last)):
-            s.middle[i] = new[i]
-        jump(s, middle, 1.0 / (1.0 + steep) if memory.kind == NORMALISED else 1.0)
+            s.between[i] = new[i]
+        jump(s, 1.0 / (1.0 + steep) if memory.kind == NORMALISED else 1.0)
     for i in range(len(s.last)):
         s.last[i] = new[i]
     s.clock[0], s.clock[1] = 1.0, row[0]
@@ -172,7 +232,53 @@ def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
     return TAKEN
 
 
-class GradientRegressor(CompiledStage):
+class _Estimator(CompiledStage):
+    """What both regressors share: their sizes, their start, and how a sample becomes a row of the law."""
+
+    count: int = parameter("", 1, 32, "number of unknown constants", whole=True, kw_only=False)
+    outputs: int = parameter("", 1, 32, "number of outputs in a sample", default=1, whole=True)
+    start: ArrayLike | None = option("the first estimate", default=None)
+    loop = staticmethod(loop_into(step))
+
+    def _settings(self, weights: int, kind: float, gain: FloatArray, f: str = "identity") -> FloatArray:
+        """The beginning of the memory: sizes, kind of law, nonlinearity, start and gain."""
+        self.count, self.outputs = int(self.count), int(self.outputs)
+        self.width, wide = self.count, self.outputs * (self.count + 1) + weights
+        self.states = states(self.count, wide)
+        shape = [self.count, self.outputs, wide, kind, KNOWN[f].code, max(1.0, KNOWN[f].high)]
+        return np.concatenate([shape, starting(self.count, self.start), gain.ravel()])
+
+    def _taken(
+        self, regressor: ArrayLike, output: ArrayLike, weights: list[float], t: Any
+    ) -> FloatArray | None:
+        """The estimate after a sample, ``None`` where it is too steep; raises EventError."""
+        memory = Memory(self._memory)
+        started, last = parts_of(memory).clock.tolist()
+        try:
+            d, y = np.asarray(regressor, np.float64), np.asarray(output, np.float64)
+        except (TypeError, ValueError, OverflowError) as unusable:
+            raise EventError(
+                f"a sample must be numbers, received regressor {regressor!r}, output {output!r}",
+                field="regressor",
+            ) from unusable
+        n, p = self.count, self.outputs
+        if d.shape not in ((p, n), (n,) if p == 1 else ()) or not np.isfinite(d).all():
+            raise EventError(
+                f"regressor must be finite and of shape ({p}, {n}), received {regressor!r}",
+                field="regressor",
+                value=regressor,
+            )
+        if y.size != p or not np.isfinite(y).all():
+            raise EventError(
+                f"output must be {p} finite numbers, received {output!r}", field="output", value=output
+            )
+        now = last if t is None and not weights else moment(t, last if started == 1.0 else None)
+        out = np.empty(n)
+        verdict = step(memory, np.concatenate([[now], d.ravel(), y.ravel(), weights]), out)
+        return None if verdict == TOO_STEEP else out
+
+
+class GradientRegressor(_Estimator):
     """Gradient estimator of constants x in y = D x, as a differential equation or sample by sample.
 
     Assumes a regressor D that is persistently exciting: nothing is learned in directions that D does not
@@ -187,7 +293,7 @@ class GradientRegressor(CompiledStage):
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` p, 1 to 32; ``gain`` G, a positive
     number, n of them or a positive definite matrix, in 1/s over the square of the regressor's unit
     (discrete: without 1/s); ``time`` "continuous" or "discrete"; ``start`` the first estimate, default zeros.
-    Memory: 5 + 2 n + n^2 + 2 p (n + 1) floats. Returns the estimate from ``update``.
+    Memory: 8 + 5 n + n^2 + 2 p (n + 1) floats. Returns the estimate from ``update``.
     Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, (3.41)-(3.46) and (3.53)-(3.58), with G positive definite where the print
@@ -201,13 +307,9 @@ class GradientRegressor(CompiledStage):
     [3.0, 5.0]
     """
 
-    count: int = parameter("", 1, 32, "number of unknown constants", whole=True, kw_only=False)
-    outputs: int = parameter("", 1, 32, "number of outputs in a sample", default=1, whole=True)
     gain: ArrayLike = option("the gain G: a number, one for each constant, or a matrix", default=1.0)
     time: Literal["continuous", "discrete"] = option("'continuous' or 'discrete'", default="continuous")
     normalised: bool = option("whether each step divides the gain by 1 + trace(D G D')", default=False)
-    start: ArrayLike | None = option("the first estimate", default=None)
-    loop = staticmethod(loop_into(step))
 
     def declare(self, **values: Any) -> None:
         """Check the values and their combinations."""
@@ -219,16 +321,11 @@ class GradientRegressor(CompiledStage):
                 field="normalised",
                 value=self.normalised,
             )
-        self.count, self.outputs = int(self.count), int(self.outputs)
-        self.width, self.states = self.count, states(self.count, self.outputs)
 
     def settings(self) -> FloatArray:
-        """The beginning of the memory: sizes, kind of law, start and gain."""
+        """The beginning of the memory."""
         kind = CONTINUOUS if self.time == "continuous" else NORMALISED if self.normalised else DISCRETE
-        shape = np.array([float(self.count), float(self.outputs), kind])
-        return np.concatenate(
-            [shape, starting(self.count, self.start), positive(self.count, self.gain).ravel()]
-        )
+        return self._settings(0, kind, _positive(int(self.count), self.gain))
 
     def update(self, regressor: ArrayLike, output: ArrayLike, t: float | None = None) -> FloatArray:
         """Process output = regressor theta at ``t`` s and return the estimate.
@@ -236,61 +333,101 @@ class GradientRegressor(CompiledStage):
         The discrete law needs no time. Raises EventError for values that are not finite, of another shape or
         too large, and EventOrderError when time runs backwards; the stage is then unchanged.
         """
-        memory = Memory(self._memory)
-        started, last_t = parts_of(memory).clock.tolist()
-        sample = joined(self.count, self.outputs, regressor, output)
         if t is None and self.time == "continuous":
             raise EventError("the continuous law needs the time of every sample, received t=None", field="t")
-        now = last_t if t is None else moment(t, last_t if started == 1.0 else None)
-        out = np.empty(self.count)
-        if step(memory, np.concatenate([[now], sample]), out) == TOO_STEEP:
+        if (estimate := self._taken(regressor, output, [], t)) is None:
             raise EventError(
                 "the trace of D G D' must lie below 2, where a step may enlarge the error, received "
                 f"regressor {regressor!r}: choose a smaller gain or normalised=True",
                 field="regressor",
                 value=regressor,
             )
-        return out
+        return estimate
 
 
-def joined(count: int, outputs: int, regressor: ArrayLike, output: ArrayLike) -> FloatArray:
-    """A sample as one row; raises EventError for an invalid one."""
-    try:
-        d, y = np.asarray(regressor, np.float64), np.asarray(output, np.float64)
-    except (TypeError, ValueError, OverflowError) as unusable:
-        raise EventError(
-            f"a sample must be numbers, received regressor {regressor!r}, output {output!r}",
-            field="regressor",
-        ) from unusable
-    if d.shape not in ((outputs, count), (count,) if outputs == 1 else ()) or not np.isfinite(d).all():
-        raise EventError(
-            f"regressor must be finite and of shape ({outputs}, {count}), received {regressor!r}",
-            field="regressor",
-            value=regressor,
-        )
-    if y.size != outputs or not np.isfinite(y).all():
-        raise EventError(
-            f"output must be {outputs} finite numbers, received {output!r}", field="output", value=output
-        )
-    return np.concatenate([d.ravel(), y.ravel()])
+class NonlinearRegressor(_Estimator):
+    """Estimator of constants x in y = (1 - D1) J x + D1 f(J x), a mean of a linear and a saturating sensor.
+
+    Assumes that J is persistently exciting and f nondecreasing; where f is flat and D1 near 1 nothing is
+    learned. Drifting constants are tracked with a lag.
+
+    theta' = g J'(y - (1 - D1) J theta - D1 f(J theta)), with J, D1 and y linear between two samples,
+    by the classical Runge-Kutta method in steps of half the fastest time constant.
+
+    Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` r, 1 to 32; ``gain`` g in 1/s over the
+    square of J's unit, > 0; ``f`` one of identity, tanh, atan, saturation; ``start`` the first estimate,
+    default zeros. Memory: 10 + 5 n + n^2 + 2 r (n + 1) floats. Returns the estimate from ``update``. Raises
+    ParameterError, and EventError and EventOrderError from ``update``.
+
+    Reference: Khalin 2022, (3.47)-(3.51); before (3.51) the print lacks a J in J'J z.
+
+    >>> stage = NonlinearRegressor(2, f="atan", gain=2.0)
+    >>> for i in range(4000):
+    ...     t, s = i / 100, 3.0 + 5.0 * np.sin(i / 100)
+    ...     weight = np.sin(5 * t) ** 2
+    ...     estimate = stage.update((1.0, np.sin(t)), weight, (1 - weight) * s + weight * np.arctan(s), t)
+    >>> [round(float(value), 2) for value in estimate]
+    [3.0, 5.0]
+    """
+
+    gain: float = parameter("1/s", 1e-9, 1e9, "speed of the estimate where J has length 1", default=1.0)
+    f: str = option("the nonlinearity of the saturating sensor", default="atan")
+
+    def declare(self, **values: Any) -> None:
+        """Check the values."""
+        super().declare(**values)
+        if self.f not in MONOTONE:
+            raise ParameterError(
+                f"f must be one of {', '.join(MONOTONE)}, which do not fall, received {self.f!r}",
+                field="f",
+                value=self.f,
+            )
+
+    def settings(self) -> FloatArray:
+        """The beginning of the memory."""
+        return self._settings(1, NONLINEAR, self.gain * np.eye(int(self.count)), self.f)
+
+    def update(self, regressor: ArrayLike, weight: float, output: ArrayLike, t: float) -> FloatArray:
+        """Process a sample at ``t`` s with ``weight`` D1 and return the estimate.
+
+        Raises EventError for values that are not finite or of another shape, a weight outside [0, 1], or a
+        gap over which the gain is too large; EventOrderError when time runs backwards; the stage is then
+        unchanged.
+        """
+        try:
+            share = float(weight)
+        except (TypeError, ValueError) as unusable:
+            raise EventError(
+                f"weight must be a number, received {weight!r}", field="weight", value=weight
+            ) from unusable
+        if not 0.0 <= share <= 1.0:
+            raise EventError(f"weight must lie in [0, 1], received {weight!r}", field="weight", value=weight)
+        if (estimate := self._taken(regressor, output, [share], t)) is None:
+            raise EventError(
+                f"gain J'J over the gap would need more than {STEPS_MOST} steps, received t={t!r}, "
+                f"regressor {regressor!r}",
+                field="t",
+                value=t,
+            )
+        return estimate
 
 
-def positive(count: int, gain: ArrayLike) -> FloatArray:
+def _positive(count: int, gain: ArrayLike) -> FloatArray:
     """A gain as a matrix; raises ParameterError unless it is symmetric and positive definite."""
+
+    def wrong(must: str) -> ParameterError:
+        return ParameterError(f"gain must {must}, received {gain!r}", field="gain", value=gain)
+
+    shapes = f"be a finite number, {count} or {count} x {count}"
     try:
-        values = np.asarray(gain, np.float64)
+        values = np.array(gain, np.float64)
     except (TypeError, ValueError) as unusable:
-        raise _wrong_gain("be numbers", gain) from unusable
+        raise wrong(shapes) from unusable
     if values.shape not in ((), (count,), (count, count)) or not np.isfinite(values).all():
-        raise _wrong_gain(f"be a finite number, {count} or {count} x {count}", gain)
-    matrix = np.diag(np.broadcast_to(values, count)) if values.ndim < 2 else values
-    if np.abs(matrix - matrix.T).max() > 1e-12 * np.abs(matrix).max():
-        raise _wrong_gain("be symmetric", gain)
-    least = float(np.linalg.eigvalsh(matrix).min())
-    if least <= 0.0:
-        raise _wrong_gain(f"be positive definite, its least eigenvalue is {least:g}", gain)
-    return np.array(matrix, np.float64)
-
-
-def _wrong_gain(must: str, gain: ArrayLike) -> ParameterError:
-    return ParameterError(f"gain must {must}, received {gain!r}", field="gain", value=gain)
+        raise wrong(shapes)
+    square = values if values.ndim == 2 else np.diag(np.broadcast_to(values, count))
+    if np.abs(square - square.T).max() > 1e-12 * np.abs(square).max():
+        raise wrong("be symmetric")
+    if (least := float(np.linalg.eigvalsh(square).min())) <= 0.0:
+        raise wrong(f"be positive definite, its least eigenvalue is {least:g}")
+    return square

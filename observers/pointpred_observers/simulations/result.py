@@ -14,6 +14,7 @@ from pointpred.extras import missing_extra
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.paths import writable
+from pointpred_observers.plants.persidskii import Persidskii
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -48,6 +49,39 @@ class Simulation(msgspec.Struct, frozen=True):
     driving: FloatArray
     driving_estimate: FloatArray
     bound: FloatArray
+
+    @classmethod
+    def of(
+        cls,
+        plant: Persidskii,
+        times: FloatArray,
+        state: FloatArray,
+        estimate: FloatArray,
+        output: FloatArray,
+        known: FloatArray,
+        title: str,
+        *,
+        bound: FloatArray | None = None,
+        driving: FloatArray | None = None,
+        driving_estimate: FloatArray | None = None,
+    ) -> Simulation:
+        """That of a Persidskii plant, which has no unknown inputs."""
+        none = np.zeros((len(times), 0))
+        return cls(
+            times,
+            state,
+            estimate,
+            output,
+            known,
+            tuple(f"x{i + 1}" for i in range(plant.n)),
+            title,
+            plant.time == "discrete",
+            none,
+            none,
+            none if driving is None else driving,
+            none if driving_estimate is None else driving_estimate,
+            np.zeros(0) if bound is None else bound,
+        )
 
     @property
     def error(self) -> FloatArray:

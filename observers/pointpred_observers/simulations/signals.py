@@ -10,8 +10,8 @@ import numpy as np
 
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.records import FloatArray
-from pointpred_observers.matrices import matrix, vector
-from pointpred_observers.trajectories import Field, trajectory
+from pointpred_observers.numerics.matrices import matrix, vector
+from pointpred_observers.simulations.trajectories import Field, trajectory
 
 Signal = Callable[[float], FloatArray]
 SAMPLES, STEP_S = 1001, 1e-2
@@ -106,10 +106,8 @@ class Setting(msgspec.Struct, frozen=True):
 
 def run(field: Field, start: FloatArray, times: FloatArray, discrete: bool) -> FloatArray:
     """The states at the samples; no change of an input that lasts a sample is stepped over."""
-    if discrete:
-        return trajectory(field, start, times, integrator="discrete")
-    longest = float(np.diff(times).min())
-    return trajectory(field, start, times, integrator="stiff", step_s=longest / 100.0, tolerance=TOLERANCE)
+    time = "discrete" if discrete else "continuous"
+    return trajectory(field, start, times, time=time, tolerance=TOLERANCE)
 
 
 def sampled(signal: Signal, times: FloatArray) -> FloatArray:

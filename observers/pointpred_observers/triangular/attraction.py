@@ -10,14 +10,14 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.detectability import require_detectable
-from pointpred_observers.error_systems.decay import DecayCertificate, certify_decay
-from pointpred_observers.error_systems.system import ErrorSystem
+from pointpred_observers.numerics.eigenvalues import require_detectable
+from pointpred_observers.plants.polynomials import symbolic
+from pointpred_observers.plants.symbolic import SymbolicSteadyState
+from pointpred_observers.proofs.bounds import ErrorBound
+from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
+from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.triangular.interlaced_observer import output_matrix
-from pointpred_observers.triangular.polynomials import symbolic
-from pointpred_observers.triangular.ranges import enclosure
-from pointpred_observers.triangular.regions import StateRegion, intervals_of
-from pointpred_observers.triangular.system import SymbolicSteadyState
+from pointpred_observers.triangular.ranges import StateRegion, enclosure, intervals_of
 
 TERMS_MOST = 8
 """Most different terms of the Jacobian: each doubles the number of corners."""
@@ -26,19 +26,24 @@ RESIDUAL_PARTS = 256
 
 
 class AttractionCertificate(msgspec.Struct, frozen=True):
-    """Both parts of Assumption 4.4.2: ``C`` of h(rho, pi) = C w, and the ``decay`` of x - pi(w), z - rho(w).
+    """Both parts of Assumption 4.4.2: ``C`` of h(rho, pi) = C w, and that x - pi(w), z - rho(w) decay.
 
-    ``terms``: the terms of the Jacobian that vary, with their bounds over the ``region``; the certificate
+    ``terms``: the terms of the Jacobian that vary, with their bounds over the ``region``; the ``certificate``
     holds while the plant's state, its steady state and w stay in it. ``residual``: the largest norm there of
-    what a truncated steady state leaves of its equations, 0 for an exact one; the rest of ``decay.bound`` is
-    what it makes of the error.
+    what a truncated steady state leaves of its equations, 0 for an exact one; the rest of ``bound`` is what
+    it makes of the error.
     """
 
     C: FloatArray
-    decay: DecayCertificate
+    certificate: DecayCertificate
     terms: dict[str, tuple[float, float]]
     region: dict[str, tuple[float, float]]
     residual: float = 0.0
+
+    @property
+    def bound(self) -> ErrorBound:
+        """The bound of x - pi(w), z - rho(w), for ``d`` in their equations."""
+        return self.certificate.bound
 
 
 def assumption_4_4_2(
@@ -75,10 +80,21 @@ def assumption_4_4_2(
     """
     c = output_matrix(steady)
     require_detectable(steady.generator.matrix(), c, "continuous", "(A, C)")
-    system = steady.system
-    states = (*system.states, *system.zero, *steady.generator.states)
-    box = {} if region is None else intervals_of(region, states)
-    constant, terms = _jacobian(steady)
+    system, states = steady.system, (*steady.system.states, *steady.system.zero)
+    if parameters := system.parameters() - {*steady.generator.states}:
+        raise ParameterError(f"parameters without value: {sorted(map(str, parameters))}")
+    box = {} if region is None else intervals_of(region, (*states, *steady.generator.states))
+    n = len(states)
+    # The Jacobian under u = l(w): a constant part, and the coefficients of each term that varies.
+    constant, terms = np.zeros((n, n)), dict[Any, FloatArray]()
+    for (i, row), (j, state) in product(enumerate((*system.field, *system.zero_field)), enumerate(states)):
+        entry = symbolic().expand(symbolic().diff(row, state).subs(system.input, steady.input))
+        for summand in symbolic().Add.make_args(entry):
+            factor, term = summand.as_independent(*summand.free_symbols, as_Add=False)
+            if summand.free_symbols:
+                terms.setdefault(term, np.zeros((n, n)))[i, j] += float(factor)
+            else:
+                constant[i, j] += float(summand)
     if len(terms) > TERMS_MOST:
         raise ParameterError(
             f"the Jacobian has {len(terms)} different terms, at most {TERMS_MOST} are allowed: "
@@ -87,12 +103,8 @@ def assumption_4_4_2(
     ranges = {term: enclosure(term, box) for term in terms}
     names, corners = [], []
     for chosen in product(*ranges.values()):
-        matrix = constant.copy()
-        for value, slope in zip(chosen, terms.values(), strict=True):
-            matrix += value * slope
-        corners.append(matrix)
-        names.append(", ".join(f"{term} = {value:.6g}" for term, value in zip(terms, chosen, strict=True)))
-    n = len(constant)
+        corners.append(sum((v * slope for v, slope in zip(chosen, terms.values(), strict=True)), constant))
+        names.append(", ".join(f"{term} = {v:.6g}" for term, v in zip(terms, chosen, strict=True)))
     drive = np.broadcast_to(np.eye(n), (len(corners), n, n)).copy()
     errors = ErrorSystem(np.array(corners), drive, np.eye(n), tuple(names), {"d": n}, "continuous")
     try:
@@ -103,31 +115,5 @@ def assumption_4_4_2(
     residual = float(np.linalg.norm([max(-low, high) for low, high in ends]))
     rest = found.bound.gains[0] * residual
     found = msgspec.structs.replace(found, bound=msgspec.structs.replace(found.bound, rest=rest))
-    return AttractionCertificate(
-        c,
-        found,
-        {str(term): pair for term, pair in ranges.items()},
-        {str(one): pair for one, pair in box.items()},
-        residual,
-    )
-
-
-def _jacobian(steady: SymbolicSteadyState) -> tuple[FloatArray, dict[Any, FloatArray]]:
-    """The constant part of the Jacobian under u = l(w), and the coefficients of each term that varies."""
-    sp, system = symbolic(), steady.system
-    states = (*system.states, *system.zero)
-    if parameters := system.parameters() - {*steady.generator.states}:
-        raise ParameterError(f"parameters without value: {sorted(map(str, parameters))}")
-    n = len(states)
-    constant: FloatArray = np.zeros((n, n))
-    terms: dict[Any, FloatArray] = {}
-    for i, row in enumerate((*system.field, *system.zero_field)):
-        for j, state in enumerate(states):
-            entry = sp.expand(sp.diff(row, state).subs(system.input, steady.input))
-            for summand in sp.Add.make_args(entry):
-                factor, term = summand.as_independent(*summand.free_symbols, as_Add=False)
-                if summand.free_symbols:
-                    terms.setdefault(term, np.zeros((n, n)))[i, j] += float(factor)
-                else:
-                    constant[i, j] += float(summand)
-    return constant, terms
+    named, within = ({str(one): pair for one, pair in part.items()} for part in (ranges, box))
+    return AttractionCertificate(c, found, named, within, residual)

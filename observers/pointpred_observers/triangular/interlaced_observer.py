@@ -1,375 +1,164 @@
-"""The reduced-order observer of an interlaced system (4.16) as a stage on irregular samples.
+"""The reduced-order observer of an interlaced system (4.16): its certificate, its design and its stage.
 
-w' = A w + L (y - C w) is followed exactly, then the maps of the steady state are evaluated.
+w' = A w + L (y - C w) is followed from the outputs, then the maps of the steady state are evaluated.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import ceil, isfinite
-from typing import Any, NamedTuple
+import copy
+from collections.abc import Callable, Sequence
+from functools import partial
+from math import isfinite, nan
+from typing import Any, ClassVar, Self
 
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.compiled import law
-from pointpred.errors import EventError, ParameterError
-from pointpred.layout import Layout
-from pointpred.parameter import parameter
-from pointpred.records import BoolArray, FloatArray, FloatTable
+from pointpred.errors import DivergenceError, EventError, ParameterError
+from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
-from pointpred.stage import CompiledStage, loop_into
-from pointpred_observers.matrices import instance, matrix
-from pointpred_observers.triangular.interlaced_certificate import InterlacedCertificate, certify
-from pointpred_observers.triangular.polynomials import symbolic
-from pointpred_observers.triangular.program import ROW, computable, execute, program
-from pointpred_observers.triangular.system import SymbolicSteadyState
+from pointpred_observers.interconnected.missing_inputs import MissingInputs
+from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.eigenvalues import perron_root, require_detectable
+from pointpred_observers.numerics.matrices import instance, matrix, positive
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.entries import (
+    Document,
+    Functions,
+    Values,
+    finite,
+    gap_of,
+    matrices_of,
+    plain,
+)
+from pointpred_observers.plants.expressions import parsed
+from pointpred_observers.plants.polynomials import symbolic
+from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.plants.symbolic_documents import SteadyStateDocument
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
+from pointpred_observers.proofs.definite import solved
+from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import Posed, search
+from pointpred_observers.proofs.stationary import filter_start
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting, Signal, run
+from pointpred_observers.triangular.forms import interlaced
 
-TAKEN, BACKWARDS = 0, 1
-"""Results of a step."""
-
-ORDER = 14
-"""Terms of the exponential series; with a norm of at most 1/2 the remainder is below 1e-16."""
-NEGLIGIBLE = 1e-18
-"""Fraction of the estimate below which the remainder of the series is negligible."""
-STEPS_MOST = 4096
-"""Most sub-steps of one interval; after a longer one the estimate restarts."""
-NEVER = 1e300
-"""A time that no interval reaches, s."""
-
-
-class Head(Layout):
-    """What the memory begins with: sizes, places in the memory, times and rates."""
-
-    states: float
-    """Of the generator, q."""
-    outputs: float
-    rows: float
-    """Of the program of the maps; where it begins."""
-    program: float
-    answers: float
-    """Where the values of the maps stand, and how many they are."""
-    answered: float
-    state: float
-    """Where ``State`` begins."""
-    gap_s: float
-    """The longest interval over which outputs are interpolated."""
-    fast: float
-    """The largest row sums of A - L C and of A, 1/s."""
-    slow: float
+SMALL = 1e-3
+"""Weight of the size of U, which decides among gains with the same traces."""
+DEGREE = 3
+"""Of the power series of the steady state."""
+STEP = 0.01
+"""A step of the integration, of the fastest time constant: it errs by 1e-12 of w."""
 
 
-class State(Layout):
-    """Whether there was a sample, its time, whether it had outputs; y, w and the series' vectors follow."""
+class InterlacedCertificate(msgspec.Struct, frozen=True):
+    """P, Q, Gamma and U of the theorem with recomputed margins, L = P^-1 U, and the proved bound.
 
-    started: float
-    t: float
-    measured: float
+    ``bound`` of e = w - w_hat for ``v``, the error of y: noise, and the plant's distance from its steady
+    state. Its decay is lambda_min(P^-1 Q) / 2 in 1/s, its overshoot sqrt(lambda_max(P) / lambda_min(P)) and
+    its gain sqrt(lambda_max(Gamma) / (2 decay lambda_min(P))). The print has the first root upside down and
+    leaves out lambda_min(Q) under the second; with lambda_min(Q) / lambda_max(P), which is no larger, in
+    place of twice the decay, its bound also holds.
 
-
-class Parts(NamedTuple):
-    """What has sizes that are known at run time: the start of w and the matrices, the last outputs and w.
-
-    ``closed`` is A - L C; ``term`` and ``after`` (q) are for the series; ``answers`` are the maps' values.
+    ``gap``: how far the least trace of P and Gamma in balanced units could lie below that of these, relative;
+    infinite if nothing is proved, as for matrices that were given.
     """
 
-    start: FloatArray
-    A: FloatTable
-    closed: FloatTable
-    L: FloatTable
-    y: FloatArray
-    w: FloatArray
-    term: FloatArray
-    after: FloatArray
-    program: FloatTable
-    answers: FloatArray
-
-
-@law
-def settings(q: int, p: int) -> int:
-    """Floats before the program."""
-    return Head.length + q + 2 * q * q + q * p
-
-
-@law
-def states(q: int, p: int) -> int:
-    """Floats of the state, with two scratch vectors, before the program's registers."""
-    return State.length + p + 3 * q
-
-
-@law
-def parts_of(memory: FloatArray) -> Parts:
-    """The parts in their places."""
-    head = Head(memory)
-    q, p, rows = int(head.states), int(head.outputs), int(head.rows)
-    a_at = Head.length + q
-    closed_at = a_at + q * q
-    l_at = closed_at + q * q
-    y_at = int(head.state) + State.length
-    w_at = y_at + p
-    program_at, answers_at = int(head.program), int(head.answers)
-    return Parts(
-        memory[Head.length : a_at],
-        memory[a_at:closed_at].reshape(q, q),
-        memory[closed_at:l_at].reshape(q, q),
-        memory[l_at : l_at + q * p].reshape(q, p),
-        memory[y_at:w_at],
-        memory[w_at : w_at + q],
-        memory[w_at + q : w_at + 2 * q],
-        memory[w_at + 2 * q : w_at + 3 * q],
-        memory[program_at : program_at + ROW * rows].reshape(rows, ROW),
-        memory[answers_at : answers_at + int(head.answered)],
-    )
-
-
-@law
-def drive(parts: Parts, i: int, k: int, passed: float, share: float, row: FloatArray) -> float:
-    """The part of L y in row i of the first two derivatives, y linear between the two samples."""
-    total = 0.0
-    for j in range(len(parts.y)):
-        rise = row[1 + j] - parts.y[j]
-        total += parts.L[i, j] * (parts.y[j] + passed * rise if k == 1 else share * rise)
-    return total
-
-
-@law
-def follow(parts: Parts, h: float, steps: int, row: FloatArray, driven: bool) -> None:
-    """Follow w' = (A - L C) w + L y over ``h`` s by the exponential series, w' = A w unless ``driven``."""
-    q = len(parts.w)
-    matrix = parts.closed if driven else parts.A
-    for n in range(steps):
-        for k in range(1, ORDER + 1):
-            source = parts.w if k == 1 else parts.term
-            for i in range(q):
-                total = drive(parts, i, k, n / steps, 1.0 / steps, row) if driven and k <= 2 else 0.0
-                for j in range(q):
-                    total += matrix[i, j] * source[j]
-                parts.after[i] = total * h / (steps * k)
-            moved, most = 0.0, 0.0
-            for i in range(q):
-                parts.term[i] = parts.after[i]
-                parts.w[i] += parts.after[i]
-                moved = max(moved, abs(parts.after[i]))
-                most = max(most, abs(parts.w[i]))
-            if k > 2 and moved <= NEGLIGIBLE * most:
-                break
-
-
-@law
-def step(memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
-    """Process t and the outputs (NaN: not measured) into ``out``; an earlier t changes nothing.
-
-    Over an interval longer than ``gap_s``, or without a measurement at one end, the generator runs alone.
-    """
-    head, parts = Head(memory), parts_of(memory)
-    s = State(memory, int(head.state))
-    h, started = row[0] - s.t, s.started == 1.0
-    if started and h < 0.0:
-        return BACKWARDS
-    measured = True
-    for j in range(len(parts.y)):
-        if row[1 + j] != row[1 + j]:
-            measured = False
-    driven = measured and s.measured == 1.0 and h <= head.gap_s
-    steps = max(1.0, ceil(2.0 * h * (head.fast if driven else head.slow)))
-    if started and steps <= STEPS_MOST:
-        follow(parts, h, int(steps), row, driven)
-    else:
-        for i in range(len(parts.w)):
-            parts.w[i] = parts.start[i]
-    s.started, s.t, s.measured = 1.0, row[0], 1.0 if measured else 0.0
-    for j in range(len(parts.y)):
-        parts.y[j] = row[1 + j] if measured else 0.0
-    execute(memory, parts.program)
-    q = len(parts.w)
-    for i in range(q):
-        out[i] = parts.w[i]
-    for i in range(len(parts.answers)):
-        out[q + i] = parts.answers[i]
-    return TAKEN
-
-
-class InterlacedEstimate(msgspec.Struct, frozen=True):
-    """The generator's state w, the plant's state x = pi(w), its zero dynamics z = rho(w) and input l(w)."""
-
-    t: float
-    w: tuple[float, ...]
-    x: tuple[float, ...]
-    z: tuple[float, ...]
-    input: float
-
-
-class InterlacedObserver(CompiledStage):
-    """Estimate the state of a plant from that of the generator which drives it.
-
-    Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an
-    error of y. Between two samples y is linear. An interval longer than ``gap_s``, by default none, or
-    without a measurement at one end, is bridged by the generator alone; after more than 2048 time constants
-    of the generator w restarts. Without ``gap_s`` an interval of more than 2048 time constants is refused. If
-    the steady state is a truncated series, x and z are accurate near the origin only. Values that are not
-    finite are NaN. Maps that hold a function which the compiled law does not know are evaluated by sympy's
-    numpy functions, some five times slower.
-
-    w' = A w + L (y - C w), x = pi(w), z = rho(w), u = l(w), followed exactly.
-
-    Parameters: ``steady`` whose outputs must be C w; ``certificate`` with L, from ``certify``; ``start`` of
-    w, default zeros; ``gap_s`` s, 1e-12 to 1e12. Memory: 13 + 4 q + 2 q^2 + p + p q floats and the program of
-    the maps. Returns ``InterlacedEstimate`` from ``update``. Raises ParameterError, and EventError and
-    EventOrderError from ``update``. Reference: Khalin 2022, Theorem 4.4.1.
-
-    >>> import sympy as sp
-    >>> from pointpred_observers.triangular.forms import interlaced
-    >>> from pointpred_observers.triangular.system import SymbolicGenerator, SymbolicSystem
-    >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
-    >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
-    >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), 1, w1, degree=2)
-    >>> observer = InterlacedObserver.design(steady)
-    >>> for i in range(4000):
-    ...     estimate = observer.update(np.cos(0.01 * i), 0.01 * i)
-    >>> true = steady.function()((np.cos(39.99), -np.sin(39.99)))
-    >>> round(estimate.x[0], 4), round(float(true[0]), 4)
-    (0.2887, 0.2887)
-    """
-
-    gap_s: float | None = parameter(
-        "s", 1e-12, 1e12, "over a longer gap the generator runs alone", default=None, absent=NEVER
-    )
-    loop = staticmethod(loop_into(step))
-
-    def __init__(
-        self,
-        steady: SymbolicSteadyState,
-        certificate: InterlacedCertificate,
-        *,
-        start: ArrayLike | None = None,
-        **values: float | None,
-    ) -> None:
-        self.declare(**values)
-        a, c = steady.generator.matrix(), output_matrix(steady)
-        q, p = len(a), len(c)
-        gain = matrix("L", certificate.L, q, p)
-        first = np.zeros(q) if start is None else matrix("start", start, q, 1).ravel()
-        wanted = (*steady.maps, *steady.zero_maps, steady.input)
-        self._function: Callable[[Any], FloatArray] | None = None
-        if not computable(wanted):
-            self._function, wanted = evaluable(steady), ()
-        maps = program(steady.generator.states, wanted)
-        state = settings(q, p) + ROW * len(maps.rows) + len(maps.constants)
-        computed = state + states(q, p)
-        rows = maps.placed(state + State.length + p, state - len(maps.constants), computed)
-        closed = a - gain @ c
-        speeds = [float(np.abs(one).sum(axis=1).max()) for one in (closed, a)]
-        answers = computed + maps.computed - maps.outputs
-        gap = NEVER if self.gap_s is None else self.gap_s
-        self._bridged = STEPS_MOST / (2.0 * max(*speeds, 1e-290))
-        shape = [q, p, len(maps.rows), settings(q, p), answers, maps.outputs, state, gap, *speeds]
-        flat = np.concatenate([shape, first, a.ravel(), closed.ravel(), gain.ravel(), rows, maps.constants])
-        self.steady, self.certificate, self.start = steady, certificate, first
-        self._states, self._outputs = q, p
-        self.width = q + len(steady.maps) + len(steady.zero_maps) + 1
-        self.lay_out(flat, states(q, p) + maps.computed)
+    P: Any
+    Q: Any
+    Gamma: Any
+    U: Any
+    L: Any
+    margins: dict[str, float]
+    bound: ErrorBound
+    gap: float = np.inf
 
     @classmethod
-    def design(
-        cls,
-        steady: SymbolicSteadyState,
-        *,
-        rate: float = 0.5,
-        gain: ArrayLike | None = None,
-        start: ArrayLike | None = None,
-        **values: float | None,
-    ) -> InterlacedObserver:
-        """Compute or certify a gain and build the observer with it; see ``certify``."""
-        output = output_matrix(steady)
-        certificate = certify(steady.generator.matrix(), output, rate=rate, gain=gain)
-        return cls(steady, certificate, start=start, **values)
-
-    def update(self, y: ArrayLike | None, t: float) -> InterlacedEstimate:
-        """Process the outputs at ``t`` s, ``None`` without a measurement, and return the estimate.
-
-        Raises EventError for values that are not finite or of another length and for too long an interval,
-        EventOrderError when time runs backwards; the stage is then unchanged.
-        """
-        last = self._last()
-        now = moment(t, last)
-        if last is not None:
-            self._check_interval(now, last)
-        out = np.empty(self.width)
-        step(self._memory, np.concatenate([[now], self._outputs_of(y)]), out)
-        self._map(out)
-        values, q, n = out.tolist(), self._states, self._states + len(self.steady.maps)
-        return InterlacedEstimate(now, tuple(values[:q]), tuple(values[q:n]), tuple(values[n:-1]), values[-1])
-
-    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
-        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
-        before = self._last()
-        for t, first in zip(rows[:, 0].tolist(), begin, strict=True):
-            if before is not None and not first:
-                self._check_interval(t, before)
-            before = t
-        out = super().walk(begin, rows)
-        for row in out:
-            self._map(row)
-        return out
-
-    def _last(self) -> float | None:
-        """The time of the last sample."""
-        state = State(self._memory, int(Head(self._memory).state))
-        return float(state.t) if state.started == 1.0 else None
-
-    def _check_interval(self, t: float, last: float) -> None:
-        """Raise EventError for an interval that is too long, unless ``gap_s`` is given."""
-        if self.gap_s is None and t - last > self._bridged:
-            raise EventError(
-                f"the sample at t = {t!r} comes {t - last:g} s after the last one, the observer follows at "
-                f"most {self._bridged:g} s, {STEPS_MOST // 2} of its time constants: sample more often, "
-                "or give gap_s, after which the generator runs alone",
-                field="t",
-                value=t,
-            )
-
-    def _map(self, row: FloatArray) -> None:
-        """Evaluate the maps at w, which stands first, where the law does not; NaN without a finite value."""
-        if self._function is None:
-            return
-        with np.errstate(all="ignore"):
-            values = self._function(row[: self._states])
-        row[self._states :] = np.where(np.isfinite(values), values, np.nan)
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Everything but the function, which sympy makes again."""
-        return {**self.__dict__, "_function": None}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-        wanted = (*self.steady.maps, *self.steady.zero_maps, self.steady.input)
-        self._function = None if computable(wanted) else evaluable(self.steady)
-
-    def _outputs_of(self, y: ArrayLike | None) -> FloatArray:
-        if y is None:
-            return np.full(self._outputs, np.nan)
-        try:
-            sample = np.asarray(y, np.float64).reshape(-1)
-        except (TypeError, ValueError) as unusable:
-            raise EventError(f"outputs must be numbers, received {y!r}") from unusable
-        if len(sample) != self._outputs or not all(isfinite(value) for value in sample):
-            raise EventError(f"needs {self._outputs} finite outputs, received {y!r}")
-        return sample
+    def audited(cls, a: ArrayLike, c: ArrayLike, values: dict[str, Any], gap: float = np.inf) -> Self:
+        """The certificate of matrices; raises CertificateError where an inequality fails."""
+        margins = theorem_4_4_1(a, c).check(values)
+        decay = decay_of(values["P"], values["Q"], "continuous")
+        bound = proved_bound(values["P"], decay, {"v": eigenvalues("Gamma", values["Gamma"])[-1]})
+        return cls(**values, L=solved(values["P"], values["U"]), margins=margins, bound=bound, gap=gap)
 
 
-def evaluable(steady: SymbolicSteadyState) -> Callable[[Any], FloatArray]:
-    """The maps as a numpy function; raises ParameterError for a function without a numerical form."""
-    try:
-        function = steady.function()
-        with np.errstate(all="ignore"):
-            function(np.zeros(len(steady.generator.states)))
-    except (NameError, TypeError, AttributeError, NotImplementedError, SyntaxError) as unusable:
-        raise ParameterError(
-            f"the maps hold a function that has no numerical form: {unusable}; give it one by sympy's "
-            "implemented_function"
-        ) from unusable
-    return function
+def theorem_4_4_1(a: ArrayLike, c: ArrayLike) -> MatrixInequalities:
+    """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities; see ``check``."""
+    system = matrix("A", a)
+    q = len(system)
+    output = matrix("C", c, None, q)
+    p = len(output)
+
+    def block(v: Any) -> FloatArray:
+        corner = v.P @ system - v.U @ output
+        return np.block([[corner + corner.T + v.Q, -v.U], [-v.U.T, -v.Gamma]])
+
+    problem = MatrixInequalities("Theorem 4.4.1").positive("P", q)
+    problem.symmetric("Q", q).symmetric("Gamma", p).free("U", q, p)
+    problem.above("Q", lambda v: v.Q).above("Gamma", lambda v: v.Gamma)
+    return problem.below("the matrix of (4.16)", block)
+
+
+def certify(
+    a: ArrayLike, c: ArrayLike, *, decay: float = 0.5, gain: ArrayLike | None = None
+) -> InterlacedCertificate:
+    """Compute a gain with its certificate, or a certificate for ``gain``.
+
+    Of all gains whose error decays as exp(-``decay`` t) it takes one with the least trace of P and Gamma in
+    balanced units, for little overshoot and noise, and of several the smallest U. That the plant converges to
+    its steady state is assumption 4.4.2 and not checked.
+
+    Parameters: ``a`` of the generator; ``c`` with h(rho, pi) = C w; ``decay`` in 1/s, above 0; ``gain`` L.
+    Raises ParameterError, InfeasibleError (before any solver runs for an unobservable eigenvalue),
+    UndecidedError and CertificateError. Reference: Khalin 2022, Theorem 4.4.1.
+
+    >>> found = certify([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 0.0]], decay=0.25)
+    >>> found.L.round(2).tolist(), round(found.bound.overshoot, 2)
+    ([[1.0], [0.25]], 1.28)
+    """
+    system = matrix("A", a)
+    output = matrix("C", c, None, len(system))
+    decay = positive("decay", decay)
+    require_detectable(system, output, "continuous", "(A, C)")
+    fixed = None if gain is None else matrix("gain", gain, len(system), len(output))
+
+    def posed(units: Coordinates) -> Posed:
+        x, y, t = units.states, units.outputs, units.seconds
+        a, c = inward(system, x, x, t), inward(output, y, x)
+        problem = theorem_4_4_1(a, c)
+        problem.above("Q - 2 decay P", lambda v: v.Q - 2.0 * decay * t * v.P)
+        if fixed is not None:
+            inner = inward(fixed, x, y, t)
+            problem.equal("U = P L", lambda v: v.U - v.P @ inner)
+        problem.number("size").above(
+            "size - U'U",
+            lambda v: np.block([[v.size * np.eye(len(c)), v.U.T], [v.U, np.eye(len(a))]]),
+            strict=False,
+        )
+        form = np.outer(x, x)
+        measured = {"P": form, "Q": t * form, "Gamma": t * np.outer(y, y), "U": t * np.outer(x, y)}
+        near = _start(a, c, decay * t) if fixed is None else None
+        return Posed(problem, measured, lambda v: np.trace(v.P) + np.trace(v.Gamma) + SMALL * v.size, near)
+
+    units = balanced(system, seen=output, rates=(decay,))
+    return search(units, posed, partial(InterlacedCertificate.audited, system, output))
+
+
+def _start(a: FloatArray, c: FloatArray, decay: float) -> dict[str, Any] | None:
+    """The matrices of the stationary filter, and a Gamma that is large enough for them."""
+    start = filter_start(a, c, 1.2 * decay, "continuous")
+    if start is None:
+        return None
+    p, u = start
+    corner, q = p @ a - u @ c, 2.2 * decay * p
+    gamma = 2.0 * u.T @ np.linalg.pinv(-(corner + corner.T + q)) @ u + np.eye(len(c))
+    size = 1.1 * float(np.linalg.norm(u, 2)) ** 2
+    return {"P": p, "Q": q, "Gamma": 0.5 * (gamma + gamma.T), "U": u, "size": size}
 
 
 def output_matrix(steady: SymbolicSteadyState) -> FloatArray:
@@ -385,3 +174,353 @@ def output_matrix(steady: SymbolicSteadyState) -> FloatArray:
             raise ParameterError(f"output {number} must be C w with numbers C, received {output}")
         rows.append([float(c) for c in row])
     return np.array(rows)
+
+
+class InterlacedEstimate(msgspec.Struct, frozen=True):
+    """The generator's state w, the plant's state x = pi(w), its zero dynamics z = rho(w) and input l(w)."""
+
+    t: float
+    w: tuple[float, ...]
+    x: tuple[float, ...]
+    z: tuple[float, ...]
+    input: float
+
+
+class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
+    """The design of an observer that estimates a plant's state from that of the generator which drives it.
+
+    Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an
+    error of y. If the steady state is a truncated series, x and z are accurate near the origin only.
+
+    w' = A w + L (y - C w), x = pi(w), z = rho(w), u = l(w)
+
+    Parameters: ``steady`` whose outputs must be C w; ``certificate`` with L, from ``certify``; ``start`` of
+    w, default zeros; ``gap_s`` s, by default none: over a longer interval between two samples the generator
+    runs alone. Reference: Khalin 2022, Theorem 4.4.1.
+
+    >>> import sympy as sp
+    >>> from pointpred_observers.triangular.forms import interlaced
+    >>> from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem
+    >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
+    >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
+    >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), 1, w1, degree=2)
+    >>> stage = InterlacedObserver.design(steady, decay=0.5).stage()
+    >>> for i in range(4000):
+    ...     estimate = stage.update(np.cos(0.01 * i), 0.01 * i)
+    >>> true = steady.function()((np.cos(39.99), -np.sin(39.99)))
+    >>> round(estimate.x[0], 4), round(float(true[0]), 4)
+    (0.2887, 0.2887)
+    """
+
+    kind: ClassVar[str] = "interlaced"
+    steady: SymbolicSteadyState
+    certificate: InterlacedCertificate
+    start: FloatArray
+    gap_s: float | None = None
+
+    @classmethod
+    def design(
+        cls,
+        plant: SymbolicSystem | SymbolicSteadyState,
+        *,
+        generator: SymbolicGenerator | None = None,
+        first: Any = None,
+        upper: int = 0,
+        degree: int | None = DEGREE,
+        decay: float = 1.0,
+        gain: ArrayLike | None = None,
+        start: ArrayLike | None = None,
+        gap_s: float | None = None,
+    ) -> Self:
+        """The observer of a plant that comes to a steady state under a generator, with its certificate.
+
+        Parameters: ``plant``, or its steady state from ``interlaced``, which needs none of the next four;
+        ``generator`` that drives it; ``first`` the steady state of the first lower row, an expression or its
+        text, such as "w1"; ``upper`` rows of the upper part; ``degree`` of their power series; ``gain`` (q,
+        p) to certify instead of computing one; ``start`` of w, default zeros; ``gap_s``: over a longer
+        interval between two samples the generator runs alone. See ``certify`` for what is raised.
+        """
+        if isinstance(plant, SymbolicSystem):
+            moved = instance("generator", generator, SymbolicGenerator)
+            steady = interlaced(plant, moved, upper, _first(first, moved), degree=degree)
+        else:
+            steady = instance("plant", plant, SymbolicSteadyState)
+        output = output_matrix(steady)
+        certificate = certify(steady.generator.matrix(), output, decay=decay, gain=gain)
+        q = len(certificate.L)
+        begin = np.zeros(q) if start is None else matrix("start", start, q, 1).ravel()
+        return cls(steady, certificate, begin, gap_s)
+
+    @property
+    def plant(self) -> SymbolicSystem:
+        """The plant whose states are estimated."""
+        return self.steady.system
+
+    @property
+    def margins(self) -> dict[str, float]:
+        """How far each audited inequality holds."""
+        return self.certificate.margins
+
+    @property
+    def bounds(self) -> dict[str, ErrorBound]:
+        """The bound of w - w_hat."""
+        return {"error": self.certificate.bound}
+
+    @property
+    def lyapunov(self) -> dict[str, FloatArray]:
+        """The P of Theorem 4.4.1."""
+        return {"": self.certificate.P}
+
+    @property
+    def chosen(self) -> dict[str, FloatArray]:
+        """The gain."""
+        return {"L": np.asarray(self.certificate.L)}
+
+    @property
+    def gap(self) -> float:
+        """That of the certificate."""
+        return self.certificate.gap
+
+    def error_system(self) -> ErrorSystem:
+        """The system of w - w_hat, disturbed by ``v``, the error of y."""
+        gain = self.certificate.L
+        a = self.steady.generator.matrix() - gain @ output_matrix(self.steady)
+        return ErrorSystem(a[None], -gain[None], np.eye(len(a)), ("",), {"v": gain.shape[1]}, "continuous")
+
+    def stage(self, *, start: Any = None, gap_s: float | None = None) -> InterlacedStage:
+        """The observer as a stage on samples, with another ``start`` or ``gap_s``."""
+        return InterlacedStage(
+            self, self.start if start is None else start, self.gap_s if gap_s is None else gap_s
+        )
+
+    def simulated(self, plant: Any, setting: Setting) -> Simulation:
+        """The plant from a start of its own, under the input l(w) of the steady state."""
+        setting.refuse("a symbolic plant", "unknown_input", "schedule", "input")
+        system, steady = instance("plant", plant, SymbolicSystem), self.steady
+        if system.parameters():
+            raise ParameterError(
+                f"parameters without value: {sorted(map(str, system.parameters()))}", field="plant"
+            )
+        sizes = [(len(one.states), len(one.zero), len(one.outputs)) for one in (system, steady.system)]
+        if sizes[0] != sizes[1]:
+            raise ParameterError(
+                f"the observer was designed for {sizes[1][0]} states, {sizes[1][1]} of zero dynamics and "
+                f"{sizes[1][2]} outputs, received a plant of {sizes[0][0]}, {sizes[0][1]} and {sizes[0][2]}",
+                field="plant",
+            )
+        times, q = setting.samples(discrete=False), len(steady.generator.states)
+        n = sizes[0][0] + sizes[0][1]
+        field = driven_field(steady, system, setting.signal("disturbance", n))
+        both = run(field, setting.begin(q + n), times, discrete=False)
+        driving, state = both[:, :q], both[:, q:]
+        outputs = setting.measured(outputs_of(system, state))
+        stage = self.stage(start=setting.begin(q, "estimate", 0.0))
+        table = np.column_stack([times, outputs])
+        answers = stage.walk(np.zeros(len(table), np.bool_), table)
+        none = np.zeros((len(times), 0))
+        names = tuple(str(one) for one in (*system.states, *system.zero))
+        pushed = steady.function()(driving.T)[-1][:, None]
+        return Simulation(
+            times, state, answers[:, q:-1], outputs, pushed, names, "interlaced observer", False, none, none,
+            driving, answers[:, :q], np.zeros(0),
+        )  # fmt: skip
+
+    def document(self) -> InterlacedDocument:
+        """The steady state, and the matrices of the theorem; a stage's memory of samples is not kept."""
+        proof = self.certificate
+        return InterlacedDocument(
+            steady=SteadyStateDocument.of(self.steady),
+            certificate=plain({name: getattr(proof, name) for name in ("P", "Q", "Gamma", "U")}),
+            gap=finite(proof.gap),
+            start=self.start.tolist(),
+            gap_s=self.gap_s,
+        )
+
+
+class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
+    """An ``InterlacedObserver``."""
+
+    steady: SteadyStateDocument
+    certificate: Values
+    start: list[float]
+    gap_s: float | None = None
+    gap: float | None = None
+
+    def made(self, functions: Functions) -> InterlacedObserver:
+        """The observer: the equations of its maps and its inequalities audited."""
+        steady = self.steady.made(functions)
+        a, c = steady.generator.matrix(), output_matrix(steady)
+        q, p = len(a), len(c)
+        values = matrices_of(self.certificate, {"P": (q, q), "Q": (q, q), "Gamma": (p, p), "U": (q, p)})
+        proof = InterlacedCertificate.audited(a, c, values, gap_of(self.gap))
+        return InterlacedObserver(steady, proof, matrix("start", self.start, q, 1).ravel(), self.gap_s)
+
+
+def _first(given: Any, generator: SymbolicGenerator) -> Any:
+    """The steady state of the first lower row; raises ParameterError for another symbol than those of w."""
+    if given is None:
+        raise ParameterError(
+            "an interlaced observer needs first, the steady state of the first lower row, such as w1",
+            field="first",
+        )
+    first = parsed(given, "first") if isinstance(given, str) else given
+    foreign = sorted(map(str, getattr(first, "free_symbols", set()) - set(generator.states)))
+    if foreign:
+        raise ParameterError(
+            f"first may hold the generator's states {', '.join(map(str, generator.states))}, received "
+            f"{given!r} with {', '.join(foreign)}",
+            field="first",
+        )
+    return first
+
+
+class InterlacedStage:
+    """An interlaced observer as a stage on irregular samples.
+
+    Between two samples y is linear. Over an interval longer than ``gap_s``, or without a measurement at one
+    end, the generator runs alone; it bridges 1000 of its fastest time constants. After a longer interval w
+    restarts, which without ``gap_s`` is refused. The equation of w is integrated in compiled code; values of
+    the maps that are not finite are NaN.
+
+    Parameters: ``observer`` the design; ``start`` of w; ``gap_s`` s. Returns ``InterlacedEstimate`` from
+    ``update``. Raises ParameterError, and EventError and EventOrderError from ``update`` and ``walk``.
+    """
+
+    def __init__(self, observer: InterlacedObserver, start: ArrayLike, gap_s: float | None = None) -> None:
+        steady, gain = observer.steady, observer.certificate.L
+        a, c = steady.generator.matrix(), output_matrix(steady)
+        q, p = gain.shape
+        closed = a - gain @ c
+        step_s = min(STEP / max(perron_root(closed), perron_root(a), 1e-290), 1e12)
+        self._bridged = STEPS_MOST * step_s
+        self._gap = np.inf if gap_s is None else min(positive("gap_s", gap_s), self._bridged)
+        self.observer = observer
+        self._generator = PersidskiiStage(
+            closed,
+            None,
+            None,
+            gain,
+            "sin",
+            start=matrix("start", start, q, 1).ravel(),
+            missing=MissingInputs.expected(c, np.zeros((p, 0)), p),
+            step_s=step_s,
+        )
+        self._last: float | None = None
+        self._maps = _numerical(steady)
+        self.width = q + len(steady.maps) + len(steady.zero_maps) + 1
+
+    def update(self, y: ArrayLike | None, t: float) -> InterlacedEstimate:
+        """The estimate after the outputs at ``t`` s, NaN where one is missing, ``None`` for all.
+
+        Raises EventError for values that are not finite or of another length and for too long an interval,
+        EventOrderError when time runs backwards; the stage is then unchanged.
+        """
+        now = moment(t, self._last)
+        before, passed = self._generator.remembered(), 0.0 if self._last is None else now - self._last
+        try:
+            if self._gap < passed <= self._bridged:
+                self._generator.update(now, None)
+            elif passed > self._gap:
+                self._generator.reset()
+            w = self._generator.update(now, y)
+        except (DivergenceError, EventError):
+            self._generator.recall(before)
+            raise
+        self._last = now
+        at, n = tuple(w.tolist()), len(self.observer.steady.maps)
+        *maps, push = self._mapped(at)
+        return InterlacedEstimate(now, at, tuple(maps[:n]), tuple(maps[n:]), push)
+
+    def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
+        """Rows (w, x, z, u) for rows (t, outputs), starting again before each that is marked ``begin``."""
+        last, marks, alone = self._last, np.array(begin[: len(rows)]), []
+        for i, t in enumerate(rows[:, 0].tolist()):
+            if last is None or marks[i]:
+                last = t
+            elif t > last:
+                if t - last > self._gap:
+                    if t - last <= self._bridged:
+                        alone.append(i)
+                    else:
+                        marks[i] = True
+                last = t
+        # A row without outputs at the end of a gap: until then the generator runs alone.
+        unmeasured = np.array(rows[alone])
+        unmeasured[:, 1:] = np.nan
+        w = self._generator.walk(
+            np.insert(marks, alone, values=False), np.insert(rows, alone, unmeasured, axis=0)
+        )
+        self._last = last
+        kept = np.delete(w, np.array(alone, int) + np.arange(len(alone)), axis=0).tolist()
+        return np.array([[*one, *self._mapped(one)] for one in kept]).reshape(len(rows), self.width)
+
+    def reset(self) -> None:
+        """Forget every sample."""
+        self._generator.reset()
+        self._last = None
+
+    def fresh(self) -> Self:
+        """A stage of the same design that remembers no sample."""
+        twin = copy.copy(self)
+        twin.reset()
+        return twin
+
+    def _mapped(self, w: Sequence[float]) -> list[float]:
+        """The maps at w; numpy's function answers where Python's numbers raise."""
+        quick, whole = self._maps
+        try:
+            values = [float(one) for one in quick(*w)]
+        except (ArithmeticError, TypeError, ValueError):
+            with np.errstate(all="ignore"):
+                values = whole(w).tolist()
+        return [one if isfinite(one) else nan for one in values]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """A memory of its own, and everything but the function, which sympy makes again."""
+        return {**self.__dict__, "_generator": copy.copy(self._generator), "_maps": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._maps = _numerical(self.observer.steady)
+
+
+def _numerical(steady: SymbolicSteadyState) -> tuple[Callable[..., Any], Callable[[Any], FloatArray]]:
+    """The maps as a function of numbers and as numpy's; raises ParameterError where one has no values."""
+    wanted = (*steady.maps, *steady.zero_maps, steady.input)
+    try:
+        whole = steady.function()
+        with np.errstate(all="ignore"):
+            whole(np.zeros(len(steady.generator.states)))
+    except (NameError, TypeError, AttributeError, NotImplementedError, SyntaxError) as unusable:
+        raise ParameterError(
+            f"the maps hold a function that has no numerical form: {unusable}; give it one by sympy's "
+            "implemented_function"
+        ) from unusable
+    modules = ["math", "scipy", "numpy"]
+    return symbolic().lambdify(steady.generator.states, wanted, modules=modules, cse=True), whole
+
+
+def driven_field(
+    steady: SymbolicSteadyState, system: SymbolicSystem, disturbance: Signal
+) -> Callable[[float, Any], FloatArray]:
+    """Generator and plant together, states (w, x, z), under the input of the steady state."""
+    sp, w = symbolic(), steady.generator.states
+    drive = sp.lambdify(w, steady.generator.field, modules="math")
+    push = sp.lambdify(w, steady.input, modules="math")
+    states = (*system.states, *system.zero)
+    plant = sp.lambdify((*states, system.input), (*system.field, *system.zero_field), modules="math")
+
+    def field(t: float, both: Any) -> FloatArray:
+        numbers = np.asarray(both).tolist()
+        driving, x = numbers[: len(w)], numbers[len(w) :]
+        moved = np.array(plant(*x, push(*driving))) + disturbance(t)
+        return np.concatenate([drive(*driving), moved])
+
+    return field
+
+
+def outputs_of(system: SymbolicSystem, states: FloatArray) -> FloatArray:
+    """The outputs without noise, (N, p), of states (N, n), x before z."""
+    names = (*system.states, *system.zero)
+    columns = symbolic().lambdify(names, system.outputs, modules="numpy")(*states.T)
+    return np.stack([np.broadcast_to(one, len(states)) for one in columns], axis=-1)

@@ -2,43 +2,54 @@
 
 from __future__ import annotations
 
-from math import exp, isfinite
-from typing import Any, Self
+from functools import partial
+from math import exp
+from typing import Any, ClassVar, Self
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
-from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.balance import form, inward, outward
-from pointpred_observers.eigenvalues import number_text, perron_root
-from pointpred_observers.matrices import instance
-from pointpred_observers.unknown_input import discrete_gains
-from pointpred_observers.unknown_input.boxes import Box
-from pointpred_observers.unknown_input.certificate import (
-    UnknownInputCertificate,
-    audit,
-    largest_sigma,
+from pointpred_observers.numerics.balance import Coordinates, inward, outward
+from pointpred_observers.numerics.eigenvalues import number_text, perron_root
+from pointpred_observers.numerics.matrices import instance, matrix, positive
+from pointpred_observers.observer import Observer
+from pointpred_observers.plants.boxes import Box, Point
+from pointpred_observers.plants.documents import ParameterVaryingDocument
+from pointpred_observers.plants.entries import (
+    Document,
+    Functions,
+    Rows,
+    Values,
+    finite,
+    gap_of,
+    matrices_of,
+    plain,
 )
-from pointpred_observers.unknown_input.gains import ROOMS, Room, gain, lyapunov
-from pointpred_observers.unknown_input.invariant_zeros import fixed_modes, independent, kernel
-from pointpred_observers.unknown_input.reconstruction import InputReconstruction
-from pointpred_observers.unknown_input.run import (
-    RunningUnknownInputObserver,
-    UnknownInputEstimate,
-    UnknownInputSample,
+from pointpred_observers.plants.varying import (
+    CornerSystem,
+    ParameterVaryingSystem,
+    invariant_zeros,
 )
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem, Point
-from pointpred_observers.unknown_input.takagi_sugeno import TakagiSugeno
+from pointpred_observers.plants.zeros import independent, kernel
+from pointpred_observers.proofs.bounds import ErrorBound
+from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.search import least_in_both
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.schedules import matrices_at, schedule_of
+from pointpred_observers.simulations.signals import Setting, run, sampled
+from pointpred_observers.unknown_input.certificate import UnknownInputCertificate, audit, largest_decay
+from pointpred_observers.unknown_input.gains import ROOMS, discrete_gain, gain, lyapunov
+from pointpred_observers.unknown_input.stage import UnknownInputSample, UnknownInputStage
 
-OUTPUT_RATE = 5.0
-"""Decay rate of errors of the outputs in continuous time, in the balanced unit of time of the design."""
+OUTPUT_DECAY = 5.0
+"""Decay of errors of the outputs in continuous time, in the balanced unit of time of the design."""
 
 
-class UnknownInputObserver:
-    """Estimates the state of a system with unmeasured inputs.
+class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
+    """The design of an observer that estimates the state of a system with unmeasured inputs.
 
     Assumes that the scheduling variables stay in the box. It discards every output direction that an unknown
     input reaches; the modes that are then unobserved, the invariant zeros, follow the model at their own
@@ -48,89 +59,106 @@ class UnknownInputObserver:
     Then e = T x - z obeys e' = N e + T delta, delta = (A(p) - A(p_hat)) x: Theorem 1 with - W C in (27c). A
     discrete system has the next z, no T', and E and T of the step: T F = 0 where F d enters.
 
-    Made by ``design``; ``start`` and ``update`` run it. Memory: one gain per vertex, and one sample. Raises
-    ParameterError for invalid shapes, ranks and points; InfeasibleError if a zero reaches -sigma/2, before
-    any solver runs, with the largest feasible sigma; UndecidedError if no solver could decide;
-    CertificateError if recomputed eigenvalues fail.
+    Made by ``design``; ``stage`` runs it. Memory: one gain per vertex, (vertices, n, p). Raises
+    ParameterError for invalid shapes, ranks and points; InfeasibleError if a zero reaches -decay, before any
+    solver runs, with the largest feasible decay; UndecidedError if no solver could decide; CertificateError
+    if recomputed eigenvalues fail.
 
     Reference: Benyoucef et al. 2021, equations (16) to (27), (44), corrected as docs/equations.md says.
 
     >>> system = ParameterVaryingSystem(
     ...     lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
     ... )
-    >>> observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), sigma=1.0)
-    >>> observer.certificate.largest_sigma, observer.certificate.margin > 0.0
-    (2.0, True)
-    >>> UnknownInputObserver.design(system, Box({"k": (-3.0, 0.5)}), sigma=1.0)
+    >>> observer = UnknownInputObserver.design(system, box=Box({"k": (-3.0, -1.0)}), decay=0.5)
+    >>> observer.certificate.largest_decay, observer.certificate.margin > 0.0
+    (1.0, True)
+    >>> UnknownInputObserver.design(system, box=Box({"k": (-3.0, 0.5)}), decay=0.5)
     Traceback (most recent call last):
-    pointpred.errors.InfeasibleError: the invariant zero 0.5 1/s at {'k': 0.5} must lie below -sigma/2 = \
--0.5 1/s: no sigma above 0 is feasible in this box
+    pointpred.errors.InfeasibleError: the invariant zero 0.5 1/s at {'k': 0.5} must lie below -decay = \
+-0.5 1/s: no decay above 0 is feasible in this box
     """
 
-    def __init__(
-        self,
-        system: ParameterVaryingSystem,
-        box: Box,
-        certificate: UnknownInputCertificate,
-        gains: TakagiSugeno,
-    ) -> None:
-        self.system, self.box, self.certificate, self.gains = system, box, certificate, gains
-        self._blind = kernel(system.c)
-        self._running: RunningUnknownInputObserver | None = None
+    kind: ClassVar[str] = "unknown-input"
+
+    system: ParameterVaryingSystem
+    box: Box
+    gains: FloatArray
+    certificate: UnknownInputCertificate
 
     @classmethod
     def design(
-        cls, system: ParameterVaryingSystem, box: Box, sigma: float, *, output_rate: float | None = None
+        cls,
+        plant: ParameterVaryingSystem,
+        box: Box | None = None,
+        decay: float = 1.0,
+        *,
+        output_decay: float | None = None,
     ) -> Self:
-        """An observer whose error decays at least as exp(-sigma t / 2), with the proof.
+        """An observer whose error decays at least as exp(-decay t), with the proof.
 
-        ``sigma`` 1/s (1/step in discrete time), positive; ``output_rate`` 1/s, decay rate of errors of the
-        outputs themselves, by default 5 in the unit of time in which the system is balanced, so that the
-        design does not depend on the unit of time; in discrete time these end at the next step.
+        ``box`` of the scheduling variables, by default that of a ``CornerSystem``; ``decay`` 1/s (1/step in
+        discrete time), positive; ``output_decay`` 1/s, that of errors of the outputs themselves, by default 5
+        in the unit of time in which the system is balanced, so that the design does not depend on the unit of
+        time; in discrete time these end at the next step.
         """
-        instance("system", system, ParameterVaryingSystem)
-        rates = {"sigma": sigma} if output_rate is None else {"sigma": sigma, "output_rate": output_rate}
-        for name, value in rates.items():
-            if not (is_number(value) and isfinite(value) and value > 0.0):
+        system = instance("plant", plant, ParameterVaryingSystem)
+        discrete = system.time == "discrete"
+        if box is None:
+            if not isinstance(system, CornerSystem):
+                raise ParameterError("a system of functions needs box, that of its variables", field="box")
+            box = system.box
+        positive("decay", decay)
+        if output_decay is not None:
+            positive("output_decay", output_decay)
+            if discrete:
                 raise ParameterError(
-                    f"{name} must be positive and finite, received {value!r}", field=name, value=value
+                    "a discrete observer has no output_decay: errors of the outputs end at the next step",
+                    field="output_decay",
+                    value=output_decay,
                 )
-        if output_rate is not None and system.time == "discrete":
-            raise ParameterError(
-                "a discrete observer has no output_rate: errors of the outputs end at the next step",
-                field="output_rate",
-                value=output_rate,
-            )
         system.checked(box)
         system = system.weighted(box)
-        zeros = zeros_over(system, box)
-        refuse(box, zeros, sigma, system.time)
+        zeros = invariant_zeros(system, box)
+        _refuse(box, zeros, decay, system.time)
         gammas, ts = system.at_vertices(box)
-        units = system.units(gammas, sigma)
-        if output_rate is None:
-            output_rate = OUTPUT_RATE / system.natural_seconds(gammas, sigma)
-        x, y, t = units.states, units.outputs, units.seconds
-        inner = np.array([inward(one, x, x, t) for one in gammas])
-        inner_ts = np.array([inward(one, x, x) for one in ts])
-        # Redundant outputs: C = R C' with independent rows in C', and K = K' R'.
-        rows, c = independent(inward(system.c, y, x))
-        solve = _discrete if system.time == "discrete" else _continuous
-        failure = None
-        for room in ROOMS:
-            p, gamma, gap, inner_ks = solve(inner, inner_ts, c, (sigma * t, output_rate * t), room)
-            ks = np.array([outward(one @ rows.T, x, y, t) for one in inner_ks])
-            # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
-            p, force = form(0.5 * (p + p.T), x), form(gamma * np.eye(len(p)), x, 1.0 / t)
-            try:
-                certificate = audit(gammas, ts, system.c, p, ks, force, sigma, zeros, system.time)
-            except CertificateError as edge:
-                failure = edge
-                continue
-            return cls(system, box, msgspec.structs.replace(certificate, gap=gap), TakagiSugeno(box, ks))
-        raise UndecidedError(
-            f"the invariant zeros allow sigma = {sigma:g}, but too closely: choose a smaller sigma "
-            f"or a smaller box ({failure})"
-        ) from failure
+        units, natural_seconds = system.units(gammas, decay)
+        if output_decay is None:
+            output_decay = OUTPUT_DECAY / natural_seconds
+        rate: float = output_decay
+
+        def designed(units: Coordinates) -> Any:
+            x, y, t = units.states, units.outputs, units.seconds
+            inner = np.array([inward(one, x, x, t) for one in gammas])
+            inner_ts = np.array([inward(one, x, x) for one in ts])
+            # Redundant outputs: C = R C' with independent rows in C', and K = K' R'.
+            rows, c = independent(inward(system.c, y, x))
+            failure = None
+            for room in ROOMS:
+                p, gamma, gap = lyapunov(inner, inner_ts, c, decay * t, room, system.time)
+                if discrete:
+                    found = [discrete_gain(one, c, p) for one in inner]
+                else:
+                    found = [
+                        gain(one, on, c, p, gamma, decay * t, rate * t)
+                        for one, on in zip(inner, inner_ts, strict=True)
+                    ]
+                ks = np.array([outward(one @ rows.T, x, y, t) for one in found])
+                # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
+                form = np.outer(x, x)
+                p, force = 0.5 * (p + p.T) / form, gamma * np.eye(len(p)) / form * t
+                try:
+                    proof = audit(gammas, ts, system.c, p, ks, force, decay, zeros, system.time)
+                except CertificateError as edge:
+                    failure = edge
+                    continue
+                return cls(system, box, ks, msgspec.structs.replace(proof, gap=gap))
+            raise UndecidedError(
+                f"the invariant zeros allow a decay of {decay:g}, but too closely: choose a smaller decay "
+                f"or a smaller box ({failure})"
+            ) from failure
+
+        found: Self = least_in_both(units, designed)
+        return found
 
     @classmethod
     def certified(
@@ -140,193 +168,205 @@ class UnknownInputObserver:
         gains: FloatArray,
         P: FloatArray,
         force: FloatArray,
-        sigma: float,
+        decay: float,
         gap: float = np.inf,
     ) -> Self:
         """The observer of gains and matrices from any source, audited at every vertex.
 
-        Parameters: ``gains`` K, (vertices, n, p); ``P`` and ``force``, F of the theorem, (n, n); ``sigma``
+        Parameters: ``gains`` K, (vertices, n, p); ``P`` and ``force``, F of the theorem, (n, n); ``decay``
         and ``gap`` as in the certificate. Raises CertificateError if an eigenvalue fails; ParameterError.
         """
         instance("system", system, ParameterVaryingSystem).checked(box)
         system = system.weighted(box)
         gammas, ts = system.at_vertices(box)
-        model = TakagiSugeno(box, gains)
-        zeros = zeros_over(system, box)
-        certificate = audit(gammas, ts, system.c, P, model.matrices, force, sigma, zeros, system.time)
-        return cls(system, box, msgspec.structs.replace(certificate, gap=gap), model)
+        wanted = (len(ts), *system.c.T.shape)
+        if np.shape(gains) != wanted or not np.isfinite(gains).all():
+            raise ParameterError(
+                f"gains need shape {wanted}, one matrix a vertex, and finite numbers, received shape "
+                f"{np.shape(gains)}",
+                field="gains",
+            )
+        zeros = invariant_zeros(system, box)
+        proof = audit(gammas, ts, system.c, P, gains, force, decay, zeros, system.time)
+        return cls(system, box, np.asarray(gains, np.float64), msgspec.structs.replace(proof, gap=gap))
 
     def audited(self) -> Self:
         """The same observer, every eigenvalue of its certificate computed again; raises as ``certified``."""
         proof = self.certificate
-        if proof.force is None:
-            raise ParameterError(
-                "the certificate lacks the matrix F of the theorem: design the observer again"
-            )
-        return self.certified(
-            self.system, self.box, self.gains.matrices, proof.p, proof.force, proof.sigma, proof.gap
-        )
+        return self.certified(self.system, self.box, self.gains, proof.p, proof.force, proof.decay, proof.gap)
 
-    def start(self, estimate: FloatArray, *, noise: Any = None, density: Any = None) -> None:
-        """Forget every sample and start at an estimate; the first sample replaces its outputs.
+    @property
+    def plant(self) -> ParameterVaryingSystem:
+        """The system that is observed."""
+        return self.system
+
+    @property
+    def decay(self) -> float:
+        """The proved decay of the error, 1/s (1/step)."""
+        return self.certificate.decay
+
+    @property
+    def margins(self) -> dict[str, float]:
+        """How far each inequality holds."""
+        return {"(27c)": self.certificate.margin}
+
+    @property
+    def bounds(self) -> dict[str, ErrorBound]:
+        """The proved bound of T x - z, disturbed by ``delta``."""
+        return {"error": self.certificate.bound}
+
+    @property
+    def lyapunov(self) -> dict[str, FloatArray]:
+        """The P of Theorem 1."""
+        return {"": self.certificate.p}
+
+    @property
+    def gap(self) -> float:
+        """How far below what was minimised the least could lie, relative; infinite if nothing is proved."""
+        return self.certificate.gap
+
+    def error_system(self) -> ErrorSystem:
+        """The system of T x - z at each vertex, disturbed by ``delta`` = (A(p) - A(p^)) x."""
+        corners = self.box.corners
+        a = np.array(self._error_rates())
+        names = tuple(", ".join(f"{key} = {value:g}" for key, value in p.items()) for p in corners)
+        ts, n = np.array([self.system.t(p) for p in corners]), a.shape[1]
+        return ErrorSystem(a, ts, np.eye(n), names, {"delta": n}, self.system.time)
+
+    def stage(self, start: Any = None, *, noise: Any = None, density: Any = None) -> UnknownInputStage:
+        """The observer as a stage that starts at an estimate, by default zeros.
+
+        The first sample replaces the outputs of the estimate.
 
         ``noise`` and ``density`` as for ``InputReconstruction``: without them the unknown input is
         estimated over each interval by itself.
         """
-        reconstruction = InputReconstruction(
-            len(self.system.c), self.system.time, noise=noise, density=density
+        begin = np.zeros(self.system.c.shape[1]) if start is None else start
+        return UnknownInputStage(self, begin, noise=noise, density=density)
+
+    def simulated(self, plant: Any, setting: Setting) -> Simulation:
+        """A plant whose scheduling variables may depend on its state, and the observer."""
+        system = instance("plant", plant, ParameterVaryingSystem)
+        known = self.system
+        if system.c.shape != known.c.shape or system.time != known.time:
+            raise ParameterError(
+                f"the observer was designed for C of shape {known.c.shape} in {known.time} time, received a "
+                f"plant of shape {system.c.shape} in {system.time} time",
+                field="plant",
+            )
+        n, discrete = system.c.shape[1], system.time == "discrete"
+        times, start = setting.samples(discrete), setting.begin(n)
+        schedule = schedule_of(setting.schedule, self.box)
+        width = matrices_at(system, schedule(float(times[0]), start))[1].shape[1]
+        b, d = setting.signal("input", n), setting.signal("unknown_input", width)
+        shake = setting.signal("disturbance", n)
+
+        def field(t: float, x: FloatArray) -> FloatArray:
+            a, f = matrices_at(system, schedule(t, x))
+            change: FloatArray = a @ x + b(t) + f @ d(t) + shake(t)
+            return change
+
+        state = run(field, start, times, discrete)
+        outputs = setting.measured(state @ system.c.T)
+        running = self.stage(setting.begin(n, "estimate", 0.0))
+        inputs, unknown = sampled(b, times), sampled(d, times)
+        estimate, found = np.empty_like(state), np.full_like(unknown, np.nan)
+        for i, t in enumerate(times.tolist()):
+            answer = running.update(UnknownInputSample(t, outputs[i], inputs[i], partial(schedule, t)))
+            estimate[i], found[i] = answer.x, answer.d
+        none = np.zeros((len(times), 0))
+        return Simulation(
+            times, state, estimate, outputs, inputs, tuple(f"x{i + 1}" for i in range(n)),
+            "unknown-input observer", discrete, unknown, found, none, none, np.zeros(0),
+        )  # fmt: skip
+
+    def document(self) -> UnknownInputDocument:
+        """Plant and box, a gain for each corner, and the matrices of Theorem 1.
+
+        Raises ParameterError unless A and F are affine in each variable.
+        """
+        system, proof = self.system, self.certificate
+        if not isinstance(system, CornerSystem) or system.box.bounds != self.box.bounds:
+            system = CornerSystem.of(system, self.box)
+        return UnknownInputDocument(
+            plant=ParameterVaryingDocument.of(system),
+            gains=self.gains.tolist(),
+            decay=proof.decay,
+            certificate=plain({"P": proof.p, "F": proof.force}),
+            gap=finite(proof.gap),
         )
-        self._running = RunningUnknownInputObserver(self, estimate, reconstruction)
 
-    def update(self, sample: UnknownInputSample, /) -> UnknownInputEstimate:
-        """Consume one sample after ``start``; a refused one changes nothing."""
-        if self._running is None:
-            raise ParameterError("an estimate to start with is needed: call start(estimate) first")
-        return self._running.update(sample)
+    def equations(self, point: Point) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Gamma, K, E and T at a point: z' = Gamma x_hat + K (y - C x_hat) + T b, x_hat = z - E y.
 
-    def matrices(self, point: Point) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """N, Y and T of z' = N z + Y y + T b at a point, in the form that runs.
-
-        The reduced form where there is one, written for z; else the full form.
+        Outside the box the gains are those of its nearest point, without a proof. Where C T = 0, with as many
+        outputs as unknown inputs, no gain acts: K is zero, and all act on the kernel of C only.
         """
+        system = self.system
+        gamma, e, t = system.gamma(point), system.e(point), system.t(point, check=False)
         if not self.reducible:
-            return self._full(point)
-        onto = self._blind @ self._blind.T
-        inner = onto @ self.system.gamma(point)
-        return inner @ onto, -inner @ self.system.e(point), onto @ self.system.t(point, check=False)
-
-    def rate(self, z: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
-        """The rate of z in the full form; ``known`` is b(y, u).
-
-        Outside the box the gains are those of its nearest point, without a proof.
-        """
-        n, seen, t = self._full(point)
-        rate: FloatArray = n @ z + t @ known + seen @ y
-        return rate
-
-    def _full(self, point: Point) -> tuple[FloatArray, FloatArray, FloatArray]:
-        k = self.gains.at(self.box.nearest(point))
-        n = self.system.gamma(point) - k @ self.system.c
-        return n, k - n @ self.system.e(point), self.system.t(point, check=False)
-
-    def onward(self, estimate: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
-        """The next z of a discrete system, from the estimate x_hat = z - E y."""
-        k = self.gains.at(self.box.nearest(point))
-        z: FloatArray = self.system.ta(point) @ estimate + self.system.t(point, check=False) @ known
-        return np.asarray(z + k @ (y - self.system.c @ estimate), np.float64)
-
-    @property
-    def fastest(self) -> float:
-        """A bound of the rates of z over the vertices, 1/s: the largest eigenvalue of absolute entries."""
-        if self.reducible:
-            forms = [self._blind.T @ self._error_rate(i) @ self._blind for i in range(len(self.box.vertices))]
-        else:
-            forms = [self._error_rate(i) for i in range(len(self.box.vertices))]
-        return max(perron_root(one) for one in forms)
-
-    def _error_rate(self, vertex: int) -> FloatArray:
-        """N at a vertex."""
-        point = self.box.named(self.box.vertices[vertex])
-        n: FloatArray = self.system.gamma(point) - self.gains.matrices[vertex] @ self.system.c
-        return n
-
-    def estimate(self, z: FloatArray, y: FloatArray, point: Point) -> FloatArray:
-        """x_hat = z - E y."""
-        state: FloatArray = z - self.system.e(point) @ y
-        return state
-
-    def begin(self, estimate: FloatArray, point: Point) -> FloatArray:
-        """The z of an estimate: T x_hat."""
-        z: FloatArray = self.system.t(point, check=False) @ estimate
-        return z
+            return gamma, self.box.mixed(self.gains, self.box.nearest(point)), e, t
+        blind = kernel(system.c)
+        onto = blind @ blind.T
+        return onto @ gamma, np.zeros_like(e), e, onto @ t
 
     @property
     def reducible(self) -> bool:
         """Whether C T = 0: with as many outputs as unknown inputs no gain is needed."""
-        middle = self.box.named(self.box.vertices[0])
-        return bool(self.system.f(middle).shape[1] == self.system.c.shape[0])
+        return bool(self.system.f(self.box.corners[0]).shape[1] == len(self.system.c))
 
-    def reduce(self, z: FloatArray) -> FloatArray:
-        """The coordinates of the reduced form: z in the kernel of C."""
-        if not self.reducible:
-            inputs = self.system.f(self.box.named(self.box.vertices[0])).shape[1]
-            raise ParameterError(
-                f"the reduced form needs as many outputs as unknown inputs, received "
-                f"{self.system.c.shape[0]} outputs and {inputs} inputs"
-            )
-        reduced: FloatArray = self._blind.T @ z
-        return reduced
+    @property
+    def fastest(self) -> float:
+        """A bound of the rates of z over the vertices, 1/s: the largest eigenvalue of absolute entries."""
+        blind = kernel(self.system.c) if self.reducible else np.eye(self.system.c.shape[1])
+        return max(perron_root(blind.T @ one @ blind) for one in self._error_rates())
 
-    def expand(self, reduced: FloatArray) -> FloatArray:
-        """The z with these coordinates of the reduced form."""
-        z: FloatArray = self._blind @ reduced
-        return z
-
-    def reduced_rate(self, reduced: FloatArray, y: FloatArray, point: Point, known: FloatArray) -> FloatArray:
-        """The rate of the reduced form, which needs no gain and holds outside the box as well.
-
-        Equal to the full form started with C x_hat = y: C z = 0 stays true, so K never acts.
-        """
-        estimate = self.expand(reduced) - self.system.e(point) @ y
-        return self.reduce(self.system.gamma(point) @ estimate + self.system.t(point, check=False) @ known)
+    def _error_rates(self) -> list[FloatArray]:
+        """N = Gamma - K C at each vertex."""
+        pairs = zip(self.box.corners, self.gains, strict=True)
+        return [np.asarray(self.system.gamma(point) - k @ self.system.c) for point, k in pairs]
 
 
-def _continuous(
-    gammas: FloatArray, ts: FloatArray, c: FloatArray, rates: tuple[float, float], room: Room
-) -> tuple[FloatArray, float, float, list[FloatArray]]:
-    """P, gamma, the gap and the gain of each vertex; ``rates`` are sigma and that of the outputs."""
-    sigma, output_rate = rates
-    p, gamma, gap = lyapunov(gammas, ts, c, sigma, room)
-    ws = [gain(one, two, c, p, gamma, sigma, output_rate) for one, two in zip(gammas, ts, strict=True)]
-    return p, gamma, gap, [np.asarray(np.linalg.solve(p, one), np.float64) for one in ws]
+class UnknownInputDocument(Document, tag="unknown-input observer", frozen=True):
+    """An ``UnknownInputObserver``."""
 
+    plant: ParameterVaryingDocument
+    gains: list[Rows]
+    decay: float
+    certificate: Values
+    gap: float | None = None
 
-def _discrete(
-    gammas: FloatArray, ts: FloatArray, c: FloatArray, rates: tuple[float, float], room: Room
-) -> tuple[FloatArray, float, float, list[FloatArray]]:
-    """The same in discrete time, where nothing depends on the rate of the outputs."""
-    p, gamma, gap = discrete_gains.lyapunov(gammas, ts, c, rates[0], room)
-    return p, gamma, gap, [discrete_gains.gain(one, c, p) for one in gammas]
-
-
-def zeros_over(system: ParameterVaryingSystem, box: Box) -> NDArray[np.complex128]:
-    """The invariant zeros, one row per vertex; needs no solver."""
-    instance("system", system, ParameterVaryingSystem)
-    points = [box.named(vertex) for vertex in instance("box", box, Box).vertices]
-    rows = [fixed_modes(system.ta(p), system.c) for p in points]
-    widest = max(len(row) for row in rows)
-    if any(len(row) != widest for row in rows):
-        raise ParameterError(
-            f"the number of invariant zeros must not change over the box, it lies between "
-            f"{min(len(row) for row in rows)} and {widest}"
+    def made(self, functions: Functions) -> UnknownInputObserver:
+        """The design, audited at every corner."""
+        system = self.plant.made(functions)
+        n, p = system.c.shape[1], len(system.c)
+        values = matrices_of(self.certificate, {"P": (n, n), "F": (n, n)})
+        gains = np.array([matrix("gains", one, n, p) for one in self.gains])
+        return UnknownInputObserver.certified(
+            system, system.box, gains, values["P"], values["F"], self.decay, gap_of(self.gap)
         )
-    return np.array(rows).reshape(len(rows), widest)
 
 
-def refuse(box: Box, zeros: NDArray[np.complex128], sigma: float, time: str = "continuous") -> None:
-    """Raise InfeasibleError, with the largest sigma, if a zero reaches -sigma/2.
+def _refuse(box: Box, zeros: NDArray[np.complex128], decay: float, time: str) -> None:
+    """Raise InfeasibleError, with the largest decay, if a zero reaches -decay.
 
-    In discrete time if its modulus reaches exp(-sigma/2).
+    In discrete time if its modulus reaches exp(-decay).
     """
-    most = largest_sigma(zeros, time)
-    if sigma < most:
+    most, discrete = largest_decay(zeros, time), time == "discrete"
+    if decay < most:
         return
-    sizes = np.abs(zeros) if time == "discrete" else zeros.real
+    sizes = np.abs(zeros) if discrete else zeros.real
     vertex = int(sizes.max(axis=1).argmax())
-    zero = zeros[vertex][sizes[vertex].argmax()]
-    value = number_text(zero)
-    unit = "1/step" if time == "discrete" else "1/s"
+    value, unit = number_text(zeros[vertex][sizes[vertex].argmax()]), "1/step" if discrete else "1/s"
+    place = f"the invariant zero {value}{'' if discrete else ' 1/s'} at {box.corners[vertex]} must "
+    needed = (
+        f"have a modulus below exp(-decay) = {exp(-decay):g}"
+        if discrete
+        else f"lie below -decay = {-decay:g} 1/s"
+    )
     end = (
-        f"the largest feasible sigma is below {most:.6g} {unit}"
+        f"the largest feasible decay is below {most:.6g} {unit}"
         if most > 0.0
-        else "no sigma above 0 is feasible in this box"
+        else "no decay above 0 is feasible in this box"
     )
-    if time == "discrete":
-        raise InfeasibleError(
-            f"the invariant zero {value} at {box.named(box.vertices[vertex])} must have a modulus below "
-            f"exp(-sigma/2) = {exp(-0.5 * sigma):g}: {end}"
-        )
-    raise InfeasibleError(
-        f"the invariant zero {value} 1/s at {box.named(box.vertices[vertex])} must lie below "
-        f"-sigma/2 = {-0.5 * sigma:g} 1/s: {end}"
-    )
+    raise InfeasibleError(f"{place}{needed}: {end}")

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.records import BoolArray, FloatArray
-from pointpred_observers.matrices import matrix
+from pointpred.records import FloatArray
+from pointpred_observers.numerics.matrices import matrix
 
 SINGULAR = 1e-9
 """Singular values below this share of the largest count as zero."""
@@ -43,23 +43,15 @@ class InputReconstruction:
         if (noise is None) != (density is None):
             raise ParameterError("noise and density come together: give both or none", field="noise")
         self.noise = None if noise is None else _sizes("noise", noise, outputs)
-        self.density = density if density is None else _sizes("density", density, None)
+        self.density = None if density is None else _sizes("density", density, None)
         self.reset()
 
     def reset(self) -> None:
         """Forget every interval."""
-        self._d: FloatArray | None = None
-        self._y, self._covariance = np.zeros(self.outputs), np.zeros((0, 0))
-        self._latest_inverse: tuple[bytes, FloatArray | None] = b"", None
-
-    def fresh(self) -> Self:
-        """The same parameters without memory."""
-        return type(self)(self.outputs, self.time, noise=self.noise, density=self.density)
-
-    @property
-    def latest(self) -> FloatArray | None:
+        self.latest: FloatArray | None = None
         """The last estimate, ``None`` before the first."""
-        return self._d
+        self._y, self._covariance = np.zeros(self.outputs), np.zeros((0, 0))
+        self._inverses: tuple[bytes, FloatArray | None] = b"", None
 
     def update(
         self, known: FloatArray, g: FloatArray, h: float, before: FloatArray, after: FloatArray
@@ -69,97 +61,95 @@ class InputReconstruction:
         ``known``: the mean of C (A x + b) over it, in discrete time its value; ``before`` and ``after`` the
         outputs at its ends, NaN for a missing one.
         """
-        inputs = g.shape[1]
-        if self.noise is None or self._d is None:
-            self._begin(known, g, h, before, after)
-        elif self.time == "discrete":
-            self._discrete(known, g, after)
+        none = np.full(g.shape[1], np.nan)
+        if self.noise is not None and self.density is not None:
+            walk = np.diag(np.broadcast_to(self.density, g.shape[1:]))
+            if self.latest is None:
+                self._begin(known, g, h, before, after, self.noise, walk)
+            else:
+                self._filter(known, g, h, after, self.noise, walk, self.latest)
+            spread = none if self.latest is None else np.sqrt(np.diag(self._covariance)[-len(none) :])
         else:
-            self._continuous(known, g, h, after)
-        if self._d is None:
-            return np.full(inputs, np.nan), np.full(inputs, np.nan)
-        if self.noise is None:
-            return self._d, np.full(inputs, np.nan)
-        return self._d, np.sqrt(np.diag(self._covariance)[-inputs:])
+            inverse, moved = self._interval(g, h, before, after)
+            if inverse is not None:
+                seen = ~np.isnan(moved)
+                self.latest = np.asarray(inverse @ (moved - known)[seen], np.float64)
+            spread = none
+        return none if self.latest is None else self.latest, spread
+
+    def _interval(
+        self, g: FloatArray, h: float, before: FloatArray, after: FloatArray
+    ) -> tuple[FloatArray | None, FloatArray]:
+        """The inverse of the rows of G that were measured, if these determine d; y', or the next y."""
+        moved = after if self.time == "discrete" else (after - before) / h
+        seen = ~np.isnan(moved)
+        same = g.tobytes() + seen.tobytes()  # G is often constant, and the inverse is most of the cost
+        if same != self._inverses[0]:
+            left, sizes, right = np.linalg.svd(g[seen], full_matrices=False)
+            inverse = None
+            if len(sizes) == g.shape[1] and sizes.min() > SINGULAR * np.linalg.norm(g):
+                inverse = np.asarray((right.T / sizes) @ left.T, np.float64)
+                if self.noise is not None:
+                    weights = 1.0 / self.noise[seen]
+                    inverse = np.linalg.pinv(g[seen] * weights[:, None], rcond=SINGULAR) * weights
+            self._inverses = same, inverse
+        return self._inverses[1], moved
 
     def _begin(
-        self, known: FloatArray, g: FloatArray, h: float, before: FloatArray, after: FloatArray
+        self,
+        known: FloatArray,
+        g: FloatArray,
+        h: float,
+        before: FloatArray,
+        after: FloatArray,
+        noise: FloatArray,
+        walk: FloatArray,
     ) -> None:
-        """The estimate of the interval by itself, if the outputs that were measured determine d."""
-        discrete = self.time == "discrete"
-        seen = ~np.isnan(after) & (discrete | ~np.isnan(before))
-        inverse = self._inverse(g, seen)
-        if inverse is None:
+        """Start the filter with an interval by itself, at whose ends every output is known."""
+        inverse, moved = self._interval(g, h, before, after)
+        if inverse is None or np.isnan(moved).any():
             return
-        moved = after if discrete else (after - before) / h
-        self._d = np.asarray(inverse @ (moved - known)[seen], np.float64)
-        if self.noise is None:
-            return
-        if not seen.all():  # the filter starts where every output is known
-            self._d = None
-            return
-        assert self.density is not None
-        variance = np.diag(self.noise**2)
-        rate = np.broadcast_to(self.density, g.shape[1:])
-        if discrete:
+        self.latest, variance = np.asarray(inverse @ (moved - known), np.float64), np.diag(noise**2)
+        if self.time == "discrete":
             self._covariance = inverse @ variance @ inverse.T
             return
         self._y = after.copy()
         across = variance @ inverse.T / h
         # The end of the interval is not its middle: a random walk adds a third of its growth.
-        own = 2.0 / h**2 * inverse @ variance @ inverse.T + np.diag(rate * h / 3.0)
+        own = 2.0 / h**2 * inverse @ variance @ inverse.T + walk * h / 3.0
         self._covariance = np.block([[variance, across], [across.T, own]])
 
-    def _inverse(self, g: FloatArray, seen: BoolArray) -> FloatArray | None:
-        """The weighted inverse of the rows of G that were measured, ``None`` if they do not determine d."""
-        # G is often constant, and the inverse is most of the cost.
-        same = g.tobytes() + seen.tobytes()
-        if same != self._latest_inverse[0]:
-            weights = np.ones(self.outputs) if self.noise is None else 1.0 / self.noise
-            size, inverse = SINGULAR * np.linalg.norm(g), None
-            if seen.any() and np.linalg.matrix_rank(g[seen], tol=size) == g.shape[1]:
-                inverse = np.linalg.pinv(g[seen] * weights[seen, None], rcond=SINGULAR) * weights[seen]
-            self._latest_inverse = same, inverse
-        return self._latest_inverse[1]
-
-    def _discrete(self, known: FloatArray, g: FloatArray, after: FloatArray) -> None:
-        assert self._d is not None
-        assert self.density is not None
-        covariance = self._covariance + np.diag(np.broadcast_to(self.density, self._d.shape))
-        self._d, self._covariance = self._corrected(
-            self._d, covariance, g, after - known - g @ self._d, ~np.isnan(after)
-        )
-
-    def _continuous(self, known: FloatArray, g: FloatArray, h: float, after: FloatArray) -> None:
-        assert self._d is not None
-        assert self.density is not None
+    def _filter(
+        self,
+        known: FloatArray,
+        g: FloatArray,
+        h: float,
+        after: FloatArray,
+        noise: FloatArray,
+        walk: FloatArray,
+        d: FloatArray,
+    ) -> None:
+        """Predict (y, d), in discrete time d, and correct it by what was measured, in Joseph's form."""
         p, m = g.shape
-        walk = np.diag(np.broadcast_to(self.density, (m,)))
-        onward = np.block([[np.eye(p), h * g], [np.zeros((m, p)), np.eye(m)]])
-        side = 0.5 * h**2 * g @ walk
-        growth = np.block([[h**3 / 3.0 * g @ walk @ g.T, side], [side.T, h * walk]])
-        state = np.concatenate([self._y + h * (known + g @ self._d), self._d])
-        state, self._covariance = self._corrected(
-            state,
-            onward @ self._covariance @ onward.T + growth,
-            np.eye(p, p + m),
-            after - state[:p],
-            ~np.isnan(after),
-        )
-        self._y, self._d = state[:p], state[p:]
-
-    def _corrected(
-        self, state: FloatArray, covariance: FloatArray, rows: FloatArray, error: FloatArray, seen: BoolArray
-    ) -> tuple[FloatArray, FloatArray]:
-        """The state and its covariance after the measurements ``seen``, in Joseph's form."""
-        assert self.noise is not None
-        if not seen.any():
-            return state, covariance
-        h, variance = rows[seen], np.diag(self.noise[seen] ** 2)
-        gain = np.linalg.solve(h @ covariance @ h.T + variance, h @ covariance).T
-        kept = np.eye(len(state)) - gain @ h
-        state = state + gain @ error[seen]
-        return state, np.asarray(kept @ covariance @ kept.T + gain @ variance @ gain.T, np.float64)
+        if self.time == "discrete":
+            state, covariance, rows = d, self._covariance + walk, g
+            error = after - known - g @ d
+        else:
+            onward = np.block([[np.eye(p), h * g], [np.zeros((m, p)), np.eye(m)]])
+            side = 0.5 * h**2 * g @ walk
+            growth = np.block([[h**3 / 3.0 * g @ walk @ g.T, side], [side.T, h * walk]])
+            state, rows = np.concatenate([self._y + h * (known + g @ d), d]), np.eye(p, p + m)
+            covariance = onward @ self._covariance @ onward.T + growth
+            error = after - state[:p]
+        seen = ~np.isnan(after)
+        if seen.any():
+            rows, variance = rows[seen], np.diag(noise[seen] ** 2)
+            gain = np.linalg.solve(rows @ covariance @ rows.T + variance, rows @ covariance).T
+            kept = np.eye(len(state)) - gain @ rows
+            state = state + gain @ error[seen]
+            covariance = kept @ covariance @ kept.T + gain @ variance @ gain.T
+        self._covariance = covariance
+        self._y, self.latest = state[:-m], state[-m:]
 
 
 def _sizes(name: str, given: Any, count: int | None) -> FloatArray:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pointpred_observers.camera import Trajectory
+from pointpred_observers.camera.scenario import Trajectory
 
 TEXTURE_PX, METRES = 1024, 2.0
 WIDTH, HEIGHT = 320, 240

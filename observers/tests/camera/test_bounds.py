@@ -9,8 +9,8 @@ from scipy.interpolate import CubicSpline
 
 from evidence.observers.camera_measure import consistent, cramer_rao
 from pointpred.errors import ParameterError
-from pointpred_observers.camera import SCENARIOS, trajectory
-from pointpred_observers.camera.scenario import Trajectory
+from pointpred_observers.camera import SCENARIOS
+from pointpred_observers.camera.scenario import Trajectory, trajectory
 
 FOCAL, NOISE = 800.0, 2.0
 

@@ -7,12 +7,25 @@ import pickle
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred_observers.camera import SCENARIOS, CameraColumns, CameraSample, DepthObserver, Noise, simulate
+from pointpred_observers.camera import (
+    SCENARIOS,
+    CameraColumns,
+    CameraSample,
+    DepthObserver,
+    Gravity,
+    Noise,
+    PointEstimate,
+    PointFilter,
+    simulate,
+)
+from pointpred_observers.camera.point_filter import PointTrack
+from pointpred_observers.camera.velocity import UnknownInputFilter
 
 FOCAL = 800.0
 
@@ -30,8 +43,8 @@ GOOD = CameraSample(0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         ({"t": -1.0}, EventOrderError, r"t must increase: received -1.0 s after 0.0 s"),
         ({"t": 0.0}, EventOrderError, "t must increase"),
         ({"t": 5.0}, EventError, "the inertial sensor was silent from 0.0 s to 5.0 s, at most 1 s"),
-        ({"t": 0.1, "y": None}, EventError, "x and y come together or not at all"),
-        ({"t": 0.1, "x": float("nan")}, EventError, "x must be a number, received nan"),
+        ({"t": 0.1, "y": float("nan")}, EventError, "x and y come together or not at all"),
+        ({"t": 0.1, "x": None}, EventError, "x must be a number, received None"),
         ({"t": 0.1, "wx": float("inf")}, EventError, r"wx must lie in \[-1000, 1000\], received inf"),
         ({"t": 0.1, "az": 1j}, EventError, "az must be a number"),
         ({"t": 0.1, "x": 1e9}, EventError, "x must lie in"),
@@ -75,38 +88,53 @@ def test_bad_parameters_are_refused(change: dict, said: str) -> None:
         DepthObserver(**({"focal_px": 1.0, "start_chi": 1.0, "start_eta": 0.0} | change))
 
 
-def test_rows_chunks_pickles_and_fresh_agree() -> None:
+@pytest.mark.parametrize(
+    "made",
+    [observer, lambda: PointFilter(focal_px=FOCAL, noise_px=1.7), lambda: Gravity(up=(0.0, -1.0, 0.1))],
+    ids=["observer", "filter", "gravity"],
+)
+def test_rows_chunks_pickles_and_fresh_agree(made: Any) -> None:
     noise = Noise(noise_px=3.0, dropped=0.2)
     samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, readings=2, noise=noise)
-    whole = observer().run(samples).table
-    stage = observer()
-    parts = [stage.run(CameraColumns(samples.table[:200])).table]
+    whole = made().run(samples)
+    stage = made()
+    parts = [stage.run(CameraColumns(samples.table[:200]))]
     stage = pickle.loads(pickle.dumps(stage))
-    parts.append(stage.run(CameraColumns(samples.table[200:])).table)
-    assert np.array_equal(np.vstack(parts), whole, equal_nan=True)
+    parts.append(stage.run(CameraColumns(samples.table[200:])))
+    assert np.array_equal(np.vstack([numbers(one) for one in parts]), numbers(whole), equal_nan=True)
     stage.reset()
-    assert stage.remembered() == stage.fresh().remembered() == observer().remembered()
-    one_by_one = [stage.update(sample) for sample in samples.samples()]
-    assert np.array_equal([d.chi for d in one_by_one], whole[:, 1], equal_nan=True)
+    assert stage.remembered() == stage.fresh().remembered() == made().remembered()
+    for row, sample in zip(numbers(whole), samples, strict=True):
+        one = stage.update(sample)
+        if isinstance(one, PointEstimate):
+            one = (*one.state, *one.covariance.ravel())
+        assert np.array_equal(np.full(len(row), np.nan) if one is None else one, row, equal_nan=True)
+
+
+def numbers(found: Any) -> Any:
+    """The answers to a table as rows."""
+    if isinstance(found, PointTrack):
+        return np.hstack([found.state, found.covariance.reshape(-1, 36)])
+    return found.table
 
 
 SCRIPT = """
 import sys
 import numpy as np
 from pointpred_observers.camera import *
+from pointpred_observers.camera.velocity import UnknownInputFilter
 import pointpred.compiled
 assert not pointpred.compiled.COMPILED
 samples = CameraColumns(np.load(sys.argv[1]))
 depth = DepthObserver(focal_px=800.0, start_chi=4.0, start_eta=-1.6).run(samples)
 track = PointFilter(focal_px=800.0, noise_px=1.0, gyro_noise=1e-4, accel_noise=1e-3).run(samples)
-d = UnknownInputs("kalman-two-state", focal_px=800.0).run(samples, depth.eta)
-np.savez(sys.argv[2], depth=depth.table, state=track.state, covariance=track.covariance, d=d)
+d = UnknownInputFilter(focal_px=800.0).run(samples, depth.eta)
+motion = Gravity(up=(0.1, -1.0, 0.0)).run(samples).table
+np.savez(sys.argv[2], motion=motion, depth=depth.table, state=track.state, covariance=track.covariance, d=d)
 """
 
 
 def test_compiled_laws_agree_with_plain_python(tmp_path: Path) -> None:
-    from pointpred_observers.camera import PointFilter, UnknownInputs
-
     noise = Noise(noise_px=1.5, dropped=0.2)
     samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=3.0, noise=noise)
     np.save(tmp_path / "rows.npy", samples.table)
@@ -120,14 +148,14 @@ def test_compiled_laws_agree_with_plain_python(tmp_path: Path) -> None:
         np.testing.assert_allclose(depth.table, plain["depth"], rtol=1e-12, atol=1e-12)
         np.testing.assert_allclose(track.state, plain["state"], rtol=1e-7, atol=1e-9)
         np.testing.assert_allclose(track.covariance, plain["covariance"], rtol=1e-6, atol=1e-12)
-        d = UnknownInputs("kalman-two-state", focal_px=FOCAL).run(samples, depth.eta)
+        motion = Gravity(up=(0.1, -1.0, 0.0)).run(samples).table
+        np.testing.assert_allclose(motion, plain["motion"], rtol=1e-12, atol=1e-12)
+        d = UnknownInputFilter(focal_px=FOCAL).run(samples, depth.eta)
         np.testing.assert_allclose(d, plain["d"], rtol=1e-10, atol=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_wild_samples_within_the_bounds_leave_a_memory_of_finite_numbers(seed: int) -> None:
-    from pointpred_observers.camera import PointFilter
-
     random = np.random.default_rng(seed)
     rows = 3000
     table = np.zeros((rows, 9))

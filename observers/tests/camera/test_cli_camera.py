@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred_observers.camera import SCENARIOS, CameraColumns, trajectory
-from pointpred_observers.camera.samples import observed
+from pointpred_observers.camera import SCENARIOS, CameraColumns, Gravity
+from pointpred_observers.camera.scenario import observed, trajectory
 from pointpred_observers.cli.camera_files import TRUTH, read_samples, truth_table, write_table
 
 FOCAL = ("--focal-px", "800")
@@ -71,6 +71,32 @@ def test_a_camera_that_rests_checks_no_wrong_start(tmp_path: Path, command: Call
     rows = left.out.splitlines()[1:]
     assert len(rows) == 11
     assert all(row.rstrip().endswith("observer, unchecked") for row in rows)
+
+
+@pytest.mark.parametrize("given", ["0,-1,0", "rest", "columns"])
+def test_gravity_is_removed(simulated: Path, command: Callable, given: str) -> None:
+    """Of a camera that turns too little to matter here: the depth is that of the file without gravity."""
+    samples, g = read_samples(simulated), 9.80665
+    up = np.array([0.0, -1.0, 0.0])
+    table, names = samples.table.copy(), CameraColumns.names
+    if given == "rest":  # the first sample is taken at rest
+        table[0, 6:] = 0.0
+    turned = Gravity(up=up).run(CameraColumns(np.hstack([table[:, :6], np.zeros((len(table), 3))])))
+    ups = -turned.table[:, 6:] / g
+    table[:, 6:] += g * ups
+    if given == "columns":
+        table, names = np.hstack([table, ups]), (*names, "ux", "uy", "uz")
+    felt = simulated.with_name("felt.csv")
+    write_table(felt, names, table)
+    options = () if given == "columns" else ("--up", given)
+    last = []
+    for file, more in ((simulated, ()), (felt, options)):
+        left = command("camera", "run", file, *FOCAL, "--start", "1,-0.3", "--json", "-", *more)
+        assert left.code == 0, left.err
+        last.append(json.loads(left.out)["last"]["chi"])
+    assert last[0] == pytest.approx(last[1], rel=0.03 if given == "rest" else 1e-9)
+    for wrong in ("up", "0,-1", "0,0,0"):
+        assert "up" in command("camera", "run", felt, *FOCAL, "--up", wrong).err
 
 
 def test_json_on_stdout_is_all_there_is(simulated: Path, command: Callable) -> None:

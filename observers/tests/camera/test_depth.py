@@ -18,9 +18,9 @@ from pointpred_observers.camera import (
     model,
     simulate,
 )
-from pointpred_observers.unknown_input.boxes import Box
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.varying import ParameterVaryingSystem
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
-from pointpred_observers.unknown_input.system import ParameterVaryingSystem
 
 FOCAL = 800.0
 BOUNDS = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (-0.2, 0.2)}
@@ -28,7 +28,7 @@ BOUNDS = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (
 
 @pytest.fixture(scope="module")
 def design() -> UnknownInputObserver:
-    return UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **BOUNDS), 0.01)
+    return UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **BOUNDS), 0.005)
 
 
 def observer(chi: float = 4.0, eta: float = -1.6, **more: object) -> DepthObserver:
@@ -46,17 +46,20 @@ def test_the_reduced_form_is_the_full_form(design: UnknownInputObserver) -> None
         values = (y * wx - x * wy + eta, eta, float(a_z(t)), wx, wy, dwx, dwy)
         return dict(zip(model.SCHEDULED, map(float, values), strict=True))
 
-    def rate(t: float, z: np.ndarray) -> np.ndarray:
-        y = image(t)
-        eta = design.estimate(z, y, point(t, 0.0))[3]
-        known = np.concatenate([model.interaction(*y) @ w(t), np.zeros(2)])
-        return design.rate(z, y, point(t, eta), known)
+    def estimate(t: float, z: np.ndarray) -> np.ndarray:
+        return z - design.system.e(point(t, 0.0)) @ image(t)
 
-    began = design.begin(np.array([0.0, 0.0, 1.5, -0.5]), point(0.0, -0.5))
+    def rate(t: float, z: np.ndarray) -> np.ndarray:
+        found, y = estimate(t, z), image(t)
+        here = point(t, found[3])
+        k = design.box.mixed(design.gains, design.box.nearest(here))
+        known = np.concatenate([model.interaction(*y) @ w(t), np.zeros(2)])
+        moved = design.system.gamma(here) @ found + design.system.t(here) @ known
+        return moved + k @ (y - found[:2])
+
+    began = design.system.t(point(0.0, -0.5)) @ [0.0, 0.0, 1.5, -0.5]
     full = solve_ivp(rate, (0.0, 6.0), began, rtol=1e-8, atol=1e-10, t_eval=truth.t[::40])
-    estimates = np.array(
-        [design.estimate(z, image(t), point(t, -0.5)) for t, z in zip(full.t, full.y.T, strict=True)]
-    )
+    estimates = np.array([estimate(t, z) for t, z in zip(full.t, full.y.T, strict=True)])
     reduced = observer(1.5, -0.5).run(samples)
     np.testing.assert_allclose(reduced.chi[::40], estimates[:, 2], rtol=2e-6)
     np.testing.assert_allclose(reduced.eta[::40], estimates[:, 3], atol=2e-6)
@@ -70,13 +73,20 @@ def test_the_general_reduced_form_is_the_compiled_law(design: UnknownInputObserv
     for x, y, wx, wy, wz, eta, a_z, dwx, dwy, chi in random.uniform(0.03, 0.05, (20, 10)):
         values = (y * wx - x * wy - eta, -eta, a_z, wx, wy, dwx, dwy)
         point = dict(zip(model.SCHEDULED, map(float, values), strict=True))
-        z = design.begin(np.array([x, y, chi, -eta]), point)
-        known = np.concatenate([model.interaction(x, y) @ [wx, wy, wz], np.zeros(2)])
-        rate = design.expand(design.reduced_rate(design.reduce(z), np.array([x, y]), point, known))
+        state = np.array([x, y, chi, -eta])
+        z, known = (
+            design.system.t(point) @ state,
+            np.concatenate([model.interaction(x, y) @ [wx, wy, wz], [0, 0]]),
+        )
+        gamma, k, e, t = design.equations(point)
+        rate = gamma @ (z - e @ [x, y]) + t @ known
+        assert not k.any()
         np.testing.assert_allclose(
             depth.rate(chi, z[3], depth.Measured(x, y, wx, wy, wz, a_z), dwx, dwy), rate[2:], atol=1e-15
         )
-        np.testing.assert_allclose(design.rate(z, np.array([x, y]), point, known), rate, atol=1e-14)
+        np.testing.assert_allclose(
+            design.system.gamma(point) @ state + design.system.t(point) @ known, rate, atol=1e-14
+        )
 
 
 def test_with_the_right_start_the_truth_is_followed() -> None:
@@ -113,7 +123,7 @@ def test_the_proved_bound_covers_the_error(design: UnknownInputObserver) -> None
     largest = (np.abs(depth.eta - truth.eta) * np.linalg.norm(state, axis=1)).max() * 2.0
     for k in range(0, len(truth.t), 10):
         error = np.hypot(depth.chi[k] - truth.chi[k], depth.eta[k] - truth.eta[k])
-        assert error <= design.certificate.bound(truth.t[k], float(first), float(largest))
+        assert error <= design.bound(truth.t[k], float(first), delta=float(largest))
 
 
 def test_an_approaching_camera_is_flagged_from_the_first_sample(design: UnknownInputObserver) -> None:
@@ -132,7 +142,7 @@ def test_flags_of_a_receding_camera(design: UnknownInputObserver) -> None:
     assert depth.certified.all()
     # The box by its names, in whatever order they are.
     turned = UnknownInputObserver.design(
-        camera_system(), Box(dict(reversed(design.box.bounds.items()))), design.certificate.sigma
+        camera_system(), Box(dict(reversed(design.box.bounds.items()))), design.decay
     )
     assert observer(1.0, -0.3, observer=turned).settings() == observer(1.0, -0.3, observer=design).settings()
     assert not observer(1.0, -0.3).run(samples).certified.any()
@@ -159,7 +169,7 @@ def test_missing_images_mean_prediction_only() -> None:
 
 def test_nothing_is_said_before_the_first_image() -> None:
     stage = observer()
-    before = stage.update(CameraSample(0.0, None, None, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    before = stage.update(CameraSample(0.0, np.nan, np.nan, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert np.isnan([before.chi, before.eta]).all()
     assert not before.detectable
     first = stage.update(CameraSample(0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
@@ -178,9 +188,9 @@ def test_a_design_for_another_plant_is_refused(design: UnknownInputObserver) -> 
     system = ParameterVaryingSystem(
         lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), np.eye(2, 1), np.eye(1, 2)
     )
-    other = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), 1.0)
+    other = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), 0.5)
     wider = UnknownInputObserver.design(
-        camera_system(), Box({**design.box.bounds, "x": (-1.0, 1.0)}), design.certificate.sigma
+        camera_system(), Box({**design.box.bounds, "x": (-1.0, 1.0)}), design.decay
     )
     cases = (
         (other, "of 2 states in a box of k"),

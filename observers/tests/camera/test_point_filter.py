@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-import pickle
-
 import numpy as np
 import pytest
 
 from evidence.observers.camera_measure import consistent, cramer_rao, normalised_errors
-from pointpred.errors import EventError, ParameterError
 from pointpred_observers.camera import (
     SCENARIOS,
     CameraColumns,
     Noise,
     PointFilter,
-    Scenario,
     kinematics,
+    point_filter,
     simulate,
-    trajectory,
 )
-from pointpred_observers.camera.samples import observed
+from pointpred_observers.camera.scenario import Scenario, observed, trajectory
 
 FOCAL = 800.0
 
@@ -167,29 +163,29 @@ def test_a_point_that_passes_the_camera_makes_it_begin_anew() -> None:
     assert not track.running[-1]
 
 
-def test_rows_chunks_and_pickles_agree() -> None:
-    samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, noise=Noise(noise_px=1.0, dropped=0.1))
-    whole = peer(1.0).run(samples)
-    stage = peer(1.0)
-    stage.run(CameraColumns(samples.table[:100]))
-    rest = pickle.loads(pickle.dumps(stage)).run(CameraColumns(samples.table[100:]))
-    assert np.array_equal(rest.state, whole.state[100:], equal_nan=True)
-    stage.reset()
-    records = [stage.update(sample) for sample in samples.samples()]
-    last = records[-1]
-    assert last is not None
-    assert np.array_equal(last.state, whole.state[-1])
-    assert np.array_equal(last.covariance, whole.covariance[-1])
-    assert [record is not None for record in records] == whole.running.tolist()
+@pytest.mark.parametrize("seed", range(5))
+def test_an_image_is_the_matrix_update_of_both_coordinates_at_once(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    root = 0.3 * random.normal(size=(6, 6))
+    state = np.array([0.3, -0.2, 2.0, 0.1, 0.2, -0.4]) + 0.1 * random.normal(size=6)
+    seen, noise = np.array([0.1, -0.3]), 1e-2
+    memory = point_filter.Memory(np.zeros(point_filter.Memory.length))
+    memory.settings.noise, memory.state.mode = noise, point_filter.RUNNING
+    memory.state.state[:] = state
+    memory.state.spread.m[:] = root @ root.T
+    point_filter.look(memory.memory, *seen)
+
+    x, y, z = state[:3]
+    h = np.array([[1.0, 0.0, -x / z, 0.0, 0.0, 0.0], [0.0, 1.0, -y / z, 0.0, 0.0, 0.0]]) / z
+    p = root @ root.T
+    gain = p @ h.T @ np.linalg.inv(h @ p @ h.T + noise * np.eye(2))
+    expected = state + gain @ (seen - state[:2] / z)
+    np.testing.assert_allclose(memory.state.state, expected, rtol=1e-10, atol=1e-12)
+    np.testing.assert_allclose(memory.state.spread.m, (np.eye(6) - gain @ h) @ p, rtol=1e-8, atol=1e-12)
 
 
-def test_refusals() -> None:
-    with pytest.raises(ParameterError, match="noise_px must lie in"):
-        PointFilter(focal_px=FOCAL, noise_px=0.0)
-    samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=1.0)
-    stage, table = peer(1.0), samples.table.copy()
-    table[9, 0] = table[8, 0]
-    kept = stage.remembered()
-    with pytest.raises(EventError, match="row 9: t must increase"):
-        stage.run(CameraColumns(table))
-    assert stage.remembered() == kept
+def test_the_memory_of_a_filter_without_samples_is_all_zero_after_its_parameters() -> None:
+    memory = point_filter.Memory(PointFilter(focal_px=800.0).__dict__["_memory"])
+    settings = memory.settings
+    assert (memory.state.memory == 0.0).all()
+    assert min(settings.focal_px, settings.noise, settings.share, settings.gap_s) > 0.0

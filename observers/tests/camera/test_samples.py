@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from pointpred.errors import ParameterError
-from pointpred_observers.camera import SCENARIOS, Noise, Scenario, simulate, trajectory
-from pointpred_observers.camera.samples import observed
+from pointpred_observers.camera import SCENARIOS, Noise, simulate
+from pointpred_observers.camera.scenario import Scenario, observed, trajectory
 
 FOCAL = 500.0
 

@@ -9,8 +9,8 @@ import pytest
 
 from observers.tests.camera.rendering import render
 from pointpred.errors import EventError, MissingExtraError, ParameterError
-from pointpred_observers.camera import SCENARIOS, DepthObserver, PointFilter, Trajectory, trajectory
-from pointpred_observers.camera.samples import observed
+from pointpred_observers.camera import SCENARIOS, DepthObserver, PointFilter
+from pointpred_observers.camera.scenario import Trajectory, observed, trajectory
 from pointpred_observers.camera.tracker import PointTracker, tracked
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")

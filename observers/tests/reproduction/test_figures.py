@@ -67,7 +67,6 @@ def test_both_states_of_figure_3_4_follow_the_map_until_the_inflow_jumps() -> No
         lambda t, s: reactor.field(interconnected.INFLOWS[0], s, (0.0, 0.0), projected=True),
         [1.0, 5.0, 0.1, 0.0, 1.0, 20.0],
         [0.0, 19.9],
-        integrator="scipy",
     )[-1]
     x1, x2, w1, w2 = ends[:4]
     steady = ((116.5 * w1 + w2 - 12.7) / 268.0, (-42.14 * 116.5 * w1 - 42.14 * w2 + 310.14 * 12.7) / 268.0)

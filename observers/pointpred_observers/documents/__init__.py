@@ -1,1 +1,0 @@
-"""Plants and designs as JSON: written, read, and audited again."""

@@ -1,0 +1,1 @@
+"""Matrices as arguments, equalities and eigenvalues with their rounding, units that balance."""

@@ -1,0 +1,277 @@
+"""Coordinates in which the entries of an observer's error equation are near 1, whatever units it came in."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
+
+STEPS_MOST = 200
+MUTUAL = float(np.log(1e-2))
+"""The logarithm of a product of entries there and back above which two parts are one."""
+STEP_MOST = 4.0
+"""Largest change of the logarithm of an entry in one step."""
+
+
+class Coordinates(msgspec.Struct, frozen=True):
+    """The units of the balanced equation, each in the user's.
+
+    ``states`` of the error (q), ``outputs`` (p), ``values`` of f (k), ``arguments`` of f (r), and the unit of
+    time, ``seconds``, 1 in discrete time.
+
+    A quantity in the user's units is its unit times the balanced one: e = ``states`` e~, t = ``seconds`` t~.
+    """
+
+    states: FloatArray
+    outputs: FloatArray
+    values: FloatArray
+    arguments: FloatArray
+    seconds: float
+
+    @property
+    def plain(self) -> Coordinates:
+        """The user's units, and this unit of time."""
+        given = (self.states, self.outputs, self.values, self.arguments)
+        states, outputs, values, arguments = (np.ones(len(one)) for one in given)
+        return Coordinates(states, outputs, values, arguments, self.seconds)
+
+    def slopes(
+        self, slopes: tuple[tuple[float, float], ...] | None
+    ) -> tuple[tuple[float, float], ...] | None:
+        """The slopes of f in the balanced units."""
+        if slopes is None:
+            return None
+        shares = self.arguments / self.values
+        return tuple(
+            (float(low * one), float(high * one)) for (low, high), one in zip(slopes, shares, strict=True)
+        )
+
+
+def inward(matrix: Any, rows: FloatArray, columns: FloatArray, unit: float = 1.0) -> FloatArray:
+    """A matrix of the user's in balanced units: its rows have the units ``rows``, and it acts on ``columns``.
+
+    ``unit`` is what else it is multiplied by: the unit of time for a matrix in 1/s.
+    """
+    entries: FloatArray = unit * np.asarray(matrix, np.float64) * columns / rows[:, None]
+    return entries
+
+
+def outward(matrix: Any, rows: FloatArray, columns: FloatArray, unit: float = 1.0) -> FloatArray:
+    """The inverse of ``inward``."""
+    entries: FloatArray = np.asarray(matrix, np.float64) * rows[:, None] / columns / unit
+    return entries
+
+
+def balanced(
+    drift: Any,
+    *,
+    seen: Any = None,
+    driven: Any = None,
+    shown: Any = None,
+    inner: Any = None,
+    moved: Any = None,
+    slopes: tuple[tuple[float, float], ...] | None = None,
+    rates: tuple[float, ...] = (),
+    time: str = "continuous",
+    plain: bool = False,
+) -> Coordinates:
+    """The coordinates in which e' = ``drift`` e + ``driven`` df, dy = ``seen`` e + ``shown`` df is balanced.
+
+    df = f(s + ``inner`` e) - f(s). Each argument may be a stack of matrices, of which the largest entries
+    count. ``rates`` in 1/s, such as a required decay, are entries as well; they help to choose the unit of
+    time.
+
+    Minimises the sum of m - log m over the entries m other than 0 (their distance from 1 after Itakura and
+    Saito) over all positive units. In the logarithms of the units it is convex and grows without bound in
+    every direction that changes an entry, also for a reducible matrix, so the balanced entries are unique:
+    the same whatever units were given. Units that no entry depends on stay as near to 1 as possible.
+
+    Only what needs a coupling is scaled by it. Each output has the states that it shows best, by the largest
+    entries in the user's units. An entry between states of different outputs counts only where these act on
+    each other, or where it lies above 1 otherwise: a weak coupling of two plants, each seen by its own
+    output, would else move their units apart by as much, and the gains with them. With one output, or none,
+    every entry counts. ``moved``, the matrix of inputs, does the same for a feedback; its own entries are not
+    balanced.
+
+    In discrete time the unit of time is the step. There, and if ``plain``, f and its arguments keep theirs:
+    theorems 3.3.2 and 3.2.3 weigh all components of f alike.
+
+    Reference: Osborne 1960 minimises the sum of m^2, which has no minimum for a reducible matrix.
+
+    >>> slow = balanced([[0.0, 1e-3], [-1e-9, -1e-6]], seen=[[1e3, 0.0]])
+    >>> fast = balanced([[0.0, 1.0], [-1.0, -1.0]], seen=[[1.0, 0.0]])
+    >>> bool(np.isclose(slow.seconds / fast.seconds, 1e6))
+    True
+    """
+    a = _largest(drift)
+    n = len(a)
+    c, d = _largest(seen, None, n), _largest(driven, n, None)
+    h = _largest(inner, None, n)
+    p, k, r = len(c), d.shape[1], len(h)
+    e = _largest(shown, p, k)
+    spread = np.zeros((r, k))
+    if slopes is not None and r == k:
+        spread = np.diag([max(abs(low), abs(high)) for low, high in slopes])
+    x, y = 0, n
+    value, argument = n + p, n + p + k
+    clock = n + p + k + r
+    entries = _Entries(clock + 1)
+    tick = clock if time == "continuous" else None
+    if plain or time == "discrete":
+        entries.fixed = slice(value, clock)
+    entries.add(a, x, x, tick)
+    entries.add(c, y, x)
+    entries.add(d, x, value, tick)
+    entries.add(e, y, value)
+    entries.add(h, argument, x)
+    entries.add(spread, value, argument)
+    for one in rates:
+        entries.rate(one, tick)
+    parts = np.zeros(clock, np.int64)
+    if p:
+        parts = entries.parts(clock, [(y + i, x + j, c[i, j]) for i, j in np.argwhere(c)])
+    elif moved is not None:
+        b = _largest(moved, n, None)
+        # An input is not among the units: it counts as a node behind them.
+        parts = entries.parts(clock, [(clock + i, x + j, b[j, i]) for j, i in np.argwhere(b)], onward=True)
+    units = np.exp(entries.apart(parts))
+    return Coordinates(
+        units[x:y], units[y:value], units[value:argument], units[argument:clock], float(units[clock])
+    )
+
+
+class _Entries:
+    """The logarithms of the entries, affine in the logarithms of the units."""
+
+    def __init__(self, units: int) -> None:
+        self.units = units
+        self.logs: list[float] = []
+        self.rows: list[FloatArray] = []
+        self.places: list[tuple[int, int]] = []
+        """The units of its row and of its column, by entry."""
+        self.fixed = slice(0, 0)
+        """Units that stay 1."""
+
+    def add(self, sizes: FloatArray, row: int, column: int, clock: int | None = None) -> None:
+        """The entries of a matrix; ``row`` and ``column`` are the places of its first units."""
+        for i, j in zip(*np.nonzero(sizes), strict=True):
+            on = np.zeros(self.units)
+            on[row + i] -= 1.0
+            on[column + j] += 1.0
+            if clock is not None:
+                on[clock] += 1.0
+            on[self.fixed] = 0.0
+            self.logs.append(float(np.log(sizes[i, j])))
+            self.places.append((row + int(i), column + int(j)))
+            self.rows.append(on)
+
+    def rate(self, value: float, clock: int | None) -> None:
+        """A rate in 1/s."""
+        if value > 0.0 and clock is not None:
+            self.add(np.array([[value]]), 0, 0, clock)
+
+    def parts(
+        self, count: int, ends: list[tuple[int, int, float]], *, onward: bool = False
+    ) -> NDArray[np.int64]:
+        """For each of ``count`` units the number of the end that shows it best, 0 where none does.
+
+        ``ends``: the unit of an output (an input if ``onward``), that of a state, and the size of the entry.
+        Each end has the state of its largest entry; ends with the same state are one. From there the largest
+        entry that leads on is taken next, rates in units of the fastest.
+        """
+        rates, logs = np.array(self.rows).reshape(-1, self.units)[:, -1], np.array(self.logs)
+        fastest = logs[rates > 0.0].max(initial=-np.inf)
+        sizes = np.exp(np.where(rates > 0.0, logs - fastest, logs)).tolist()
+        labels = dict[int, int]()
+        for end in {one[0] for one in ends}:
+            state = max((one for one in ends if one[0] == end), key=lambda one: one[2])[1]
+            labels[end] = labels.setdefault(state, end + 1)
+        links = [(size, end, state) for end, state, size in ends]
+        for size, (row, column) in zip(sizes, self.places, strict=True):
+            links.append((size, column, row) if onward else (size, row, column))
+        links.sort(reverse=True)
+        while True:
+            onto = (one[1:] for one in links if one[1] in labels and one[2] not in labels)
+            against = (one[:0:-1] for one in links if one[2] in labels and one[1] not in labels)
+            found = next(onto, None) or next(against, None)
+            if found is None:
+                return np.array([labels.get(i, 0) for i in range(count)], np.int64)
+            labels[found[1]] = labels[found[0]]
+
+    def apart(self, parts: NDArray[np.int64]) -> FloatArray:
+        """The least logarithms, where an entry between two parts counts only if they need it.
+
+        They do if the largest entries one way and the other have a product that is not small, which no unit
+        changes, or if the entry lies above 1 without.
+        """
+        ends = [(int(parts[i]), int(parts[j])) for i, j in self.places]
+        kept = np.array([one == other for one, other in ends], bool)
+        matrix, start = np.array(self.rows).reshape(-1, self.units), np.array(self.logs)
+        logs = start + matrix @ self.least(kept)
+        largest = dict[tuple[int, int], float]()
+        for pair, size in zip(ends, logs, strict=True):
+            largest[pair] = max(float(size), largest.get(pair, -np.inf))
+        both = [largest[pair] + largest.get(pair[::-1], -np.inf) > MUTUAL for pair in ends]
+        kept |= np.array(both, bool)
+        while True:
+            units = self.least(kept)
+            above = ~kept & (start + matrix @ units > 0.0)
+            if not above.any():
+                return units
+            kept |= above
+
+    def least(self, kept: NDArray[np.bool_]) -> FloatArray:
+        """The logarithms of the units at the minimum over these entries, by damped Newton steps."""
+        if not kept.any():
+            return np.zeros(self.units)
+        matrix, start = np.array(self.rows)[kept], np.array(self.logs)[kept]
+        _, sizes, turned = np.linalg.svd(matrix, full_matrices=False)
+        moving = turned[sizes > 1e-9 * sizes[0]].T
+        if not moving.size:  # no unit changes an entry, as with one state in discrete time
+            return np.zeros(self.units)
+        slopes = matrix @ moving
+        at = np.linalg.lstsq(slopes, -start, rcond=None)[0]
+        for _ in range(STEPS_MOST):
+            m = np.exp(start + slopes @ at)
+            gradient = slopes.T @ (m - 1.0)
+            if np.abs(gradient).max() < 1e-12 * len(m):
+                break
+            # The second term keeps the step finite where every entry along a direction is tiny.
+            curvature = slopes.T @ (slopes * m[:, None]) + 1e-12 * np.eye(len(at))
+            step = _step(curvature, gradient)
+            at = at + _share(start + slopes @ at, slopes @ step) * step
+        return np.asarray(moving @ at, np.float64)
+
+
+def _step(curvature: FloatArray, gradient: FloatArray) -> FloatArray:
+    """The Newton step; raises ParameterError where the numbers leave no direction to go on."""
+    try:
+        return np.asarray(np.linalg.solve(curvature, -gradient), np.float64)
+    except np.linalg.LinAlgError as failure:
+        raise ParameterError(
+            "the entries of the matrices and the decay lie too many powers of ten apart to compute with: "
+            "check the units of the largest and of the smallest"
+        ) from failure
+
+
+def _share(logs: FloatArray, change: FloatArray) -> float:
+    """The share of a change of the logarithms that lowers the sum."""
+    share = min(1.0, STEP_MOST / max(float(np.abs(change).max()), 1e-300))
+    before = float((np.exp(logs) - logs).sum())
+    while share > 1e-12 and float((np.exp(logs + share * change) - logs - share * change).sum()) > before:
+        share *= 0.5
+    return share
+
+
+def _largest(given: Any, rows: int | None = None, columns: int | None = None) -> FloatArray:
+    """The largest sizes of the entries of a matrix, or of a stack of them; ``None`` is a matrix of zeros."""
+    if given is None:
+        return np.zeros((rows or 0, columns or 0))
+    entries = np.abs(np.asarray(given, np.float64))
+    leading = tuple(range(entries.ndim - 2))
+    return np.asarray(entries.max(axis=leading, initial=0.0), np.float64)

@@ -1,0 +1,111 @@
+"""Equalities in floating point: sums whose terms cancel, and residuals as shares of their own terms."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from pointpred.records import FloatArray
+
+TOLERANCE = 1e-9
+"""The largest residual of an equality of computed matrices, as a share of its own terms."""
+
+REMAINDER = 1e-12
+"""An entry below this share of its terms is what rounding left of them."""
+NO_DIGIT = 1e-14
+"""An entry below this share of its terms has no correct digit."""
+
+
+def without_rounding(whole: FloatArray, *terms: FloatArray, share: float = REMAINDER) -> FloatArray:
+    """A sum of ``terms`` with zeros for the entries that are rounding; the sizes of the terms count.
+
+    An entry of 1e-17 that should be 0 would count as a coupling when units are chosen, and as an f that
+    still acts. ``share``: below which share of its terms an entry is rounding.
+    """
+    sizes = sum((np.abs(one) for one in terms), np.zeros_like(whole))
+    return np.where(np.abs(whole) <= share * sizes, 0.0, whole)
+
+
+def share_of_terms(
+    residual: FloatArray,
+    terms: FloatArray,
+    units: FloatArray | None = None,
+    *,
+    rounding: FloatArray | None = None,
+) -> float:
+    """The largest share that an entry of a residual has of its own terms: 0 holds, 1 fails completely.
+
+    Entry by entry, so that no other row, column or equality hides that one fails, and no unit. What lies
+    within ``rounding`` counts as 0: a computed matrix holds 1e-17 where 0 is meant, which is all of its own
+    term and nothing beside the terms of its row, from which it was computed.
+
+    Parameters: ``residual`` (rows, columns); ``terms`` of the same shape, the sums of the absolute values of
+    the terms before they cancel; ``rounding`` of the same shape, by default that of the terms in ``units``
+    (columns,). NaN where an entry, or one of its terms, is not finite.
+
+    >>> share_of_terms(np.array([[0.0, 4e-7]]), np.array([[1e7, 4e-7]]))
+    1.0
+    >>> share_of_terms(np.array([[1e-16, 0.0], [0.0, 1e-17]]), np.array([[1e-16, 2.0], [4.0, 3.0]]))
+    0.0
+    >>> share_of_terms(np.array([[1.0]]), np.array([[np.inf]]))
+    nan
+    """
+    if not residual.size:
+        return 0.0
+    if not np.isfinite(terms).all():
+        return np.nan
+    left = np.abs(residual)
+    beside = row_rounding(terms, units) if rounding is None else rounding
+    return float((np.where(left <= beside, 0.0, left) / or_one(terms)).max())
+
+
+def allowed(terms: FloatArray) -> FloatArray:
+    """How much may be left of each entry: ``TOLERANCE`` of its own terms, and what is rounding."""
+    return TOLERANCE * terms + row_rounding(terms)
+
+
+def row_rounding(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
+    """What is rounding of each entry: a share of the largest term of its row, in the unit of its column."""
+    return NO_DIGIT * row_terms(terms, units)
+
+
+def row_terms(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
+    """The largest term of each row, in the ``units`` (columns,) of each column; the shape of the terms."""
+    columns = column_units(terms) if units is None else units
+    return np.asarray((terms / columns).max(axis=1, initial=0.0)[:, None] * columns, np.float64)
+
+
+def column_units(stacked: FloatArray) -> FloatArray:
+    """A unit for each column of rows that have units of their own: its largest share of a row, 1 if none."""
+    sizes = np.abs(stacked)
+    return or_one((sizes / or_one(sizes.max(axis=1, initial=0.0))[:, None]).max(axis=0, initial=0.0))
+
+
+def nearest_solutions(
+    stacked: Callable[[FloatArray], FloatArray], slope: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """The least-squares solution of linear equalities, of least norm, without and with its rounding.
+
+    Rows and columns are scaled to 1, and what the first solution leaves is solved for again: then the
+    residual of a row is small beside the row's own terms, not only beside those of the largest row. Numbers
+    that are rounding beside the largest one are 0 in the first solution; beside numbers in much smaller units
+    they may be more than rounding, and the second solution keeps them.
+
+    Parameters: ``stacked`` the residuals (rows,) at given numbers (columns,), affine in them, and ``slope``
+    its derivative (rows, columns).
+    """
+    columns = or_one(np.abs(slope).max(axis=0, initial=0.0))
+    rows = or_one(np.abs(slope / columns).max(axis=1, initial=0.0))
+    scaled = slope / columns / rows[:, None]
+    numbers: FloatArray = np.zeros(slope.shape[1])
+    for _ in range(2):
+        left = -stacked(numbers / columns) / rows
+        numbers = numbers + np.linalg.lstsq(scaled, left, rcond=None)[0]
+    largest = np.full(numbers.shape, np.abs(numbers).max(initial=0.0))
+    return without_rounding(numbers, largest, share=NO_DIGIT) / columns, numbers / columns
+
+
+def or_one(sizes: FloatArray) -> FloatArray:
+    """Sizes to divide by: 1 in place of 0."""
+    return np.where(sizes > 0.0, sizes, 1.0)

@@ -1,0 +1,1 @@
+"""Plants, generators and steady states: as matrices, as symbols, and in files."""

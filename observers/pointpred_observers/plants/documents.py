@@ -1,0 +1,222 @@
+"""Persidskii plants, generators and parameter-varying plants as JSON."""
+
+from __future__ import annotations
+
+from typing import Any, Literal, Self
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import ParameterError
+from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.plants.boxes import Box
+from pointpred_observers.plants.entries import (
+    Document,
+    Entries,
+    Functions,
+    PythonFunction,
+    Rows,
+    entries,
+    finite,
+    restored,
+    unbounded,
+)
+from pointpred_observers.plants.generator import Fitted, Generator
+from pointpred_observers.plants.linear_systems import as_plant
+from pointpred_observers.plants.nonlinearity import KNOWN, NAMED, Nonlinearity
+from pointpred_observers.plants.persidskii import NAMES, Persidskii
+from pointpred_observers.plants.varying import CornerSystem
+
+Time = Literal["continuous", "discrete"]
+Pairs = list[tuple[float | None, float | None]]
+"""Intervals; null is minus infinity below and infinity above."""
+MATRICES = ("S0", "S1", "J", "G", "L0", "L1", "E")
+
+
+class PlantDocument(Document, tag="plant", frozen=True):
+    """A ``Persidskii`` system, or a linear one: its matrices by name, f by the names of its components."""
+
+    A0: Rows | PythonFunction
+    A1: Entries = None
+    H: Entries = None
+    f: str | tuple[str, ...] | PythonFunction = ()
+    B: Entries = None
+    Q: Entries = None
+    C0: Entries = None
+    C1: Entries = None
+    slopes: Pairs | None = None
+    domain: float | None = None
+    time: Time = "continuous"
+
+    @classmethod
+    def of(cls, thing: Any) -> Self:
+        """The document of a plant of this library, of python-control or of scipy."""
+        plant = as_plant(thing)
+        return cls(
+            **{name: entries(plant.given(name)) for name in NAMES},
+            f=_named(plant.f) if plant.k else (),
+            slopes=_slopes(plant.f) if plant.k else None,
+            domain=finite(plant.domain),
+            time=_time(plant.time),
+        )
+
+    def made(self, functions: Functions) -> Persidskii:
+        """The plant."""
+        return Persidskii(
+            **{name: restored(name, getattr(self, name), functions) for name in NAMES},
+            f=restored("f", self.f, functions),
+            slopes=None if self.slopes is None else [(_low(a), unbounded(b)) for a, b in self.slopes],
+            time=self.time,
+            domain=unbounded(self.domain),
+        )
+
+
+class GeneratorDocument(Document, tag="generator", frozen=True):
+    """A ``Generator``, or a regulator: its matrices by name, and its f where it has one of its own."""
+
+    S0: Rows
+    S1: Rows | None = None
+    J: Rows | None = None
+    G: Rows | None = None
+    L0: Rows | None = None
+    L1: Rows | None = None
+    E: Rows | None = None
+    f: str | tuple[str, ...] | PythonFunction | None = None
+    time: Time | None = None
+
+    @classmethod
+    def of(cls, thing: Generator | Fitted) -> Self:
+        """The document of a generator."""
+        given: dict[str, Any] = {name: getattr(thing, name) for name in MATRICES}
+        kept: dict[str, Any] = {name: None if one is None else entries(one) for name, one in given.items()}
+        own = getattr(thing, "f", None)
+        return cls(
+            **kept,
+            f=None if own is None else _named(own),
+            time=getattr(thing, "time", None),
+        )
+
+    def made(self, functions: Functions) -> Generator:
+        """The generator."""
+        own = None if self.f is None else restored("generator.f", self.f, functions)
+        return Generator(**{name: getattr(self, name) for name in MATRICES}, f=own, time=self.time)
+
+
+class Corner(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """The matrices at one corner of the box: at the low or the high end of each variable."""
+
+    at: dict[str, float]
+    A: Rows
+    F: Rows
+    TA: Rows | None = None
+
+
+class ParameterVaryingDocument(Document, tag="parameter-varying plant", frozen=True):
+    """A ``CornerSystem``: the box of its scheduling variables, and its matrices at every corner."""
+
+    box: dict[str, tuple[float, float]]
+    corners: list[Corner]
+    C: Rows
+    rates: dict[str, str] | None = None
+    sizes: list[float] | None = None
+    time: Time = "continuous"
+
+    @classmethod
+    def of(cls, thing: CornerSystem) -> Self:
+        """The document of a system that is known by its corners."""
+        held = {name: one.tolist() for name, one in thing.corners.items()}
+        points = [thing.box.named(vertex) for vertex in thing.box.vertices]
+        return cls(
+            box=dict(thing.box.bounds),
+            corners=[
+                Corner(at=point, **{name: one[i] for name, one in held.items()})
+                for i, point in enumerate(points)
+            ],
+            C=entries(thing.c),
+            rates=dict(thing.rates) or None,
+            sizes=None if thing.sizes is None else thing.sizes.tolist(),
+            time=_time(thing.time),
+        )
+
+    def made(self, functions: Functions) -> CornerSystem:
+        """The system."""
+        box = Box(self.box)
+        ordered = [self._corner(box.named(vertex)) for vertex in box.vertices]
+        if len(self.corners) > len(ordered):
+            raise ParameterError(
+                f"the box has {len(ordered)} corners, received {len(self.corners)}", field="corners"
+            )
+        decoupled = [one.TA for one in ordered]
+        if any(one is None for one in decoupled) and any(one is not None for one in decoupled):
+            raise ParameterError("TA is given at some corners only: give it at all or at none", field="TA")
+        return CornerSystem(
+            box,
+            _stacked("A", [one.A for one in ordered]),
+            _stacked("F", [one.F for one in ordered]),
+            self.C,
+            TA=None if decoupled[0] is None else _stacked("TA", decoupled),
+            rates=self.rates,
+            sizes=self.sizes,
+            time=self.time,
+        )
+
+    def _corner(self, point: dict[str, float]) -> Corner:
+        for one in self.corners:
+            if one.at == point:
+                return one
+        raise ParameterError(
+            f"the corner {point} of the box is missing: each variable at its low and at its high end, in all "
+            "combinations",
+            field="corners",
+        )
+
+
+def functions_of(thing: Any) -> dict[str, Any]:
+    """The Python functions of a plant or of what has a plant, by the names under which ``load`` asks."""
+    plant = thing if isinstance(thing, Persidskii) else getattr(thing, "plant", None)
+    found: dict[str, Any] = {}
+    if isinstance(plant, Persidskii):
+        found = {name: plant.given(name) for name in plant.varying}
+        if plant.k and plant.f.codes is None:
+            found["f"] = plant.f.function
+    generator = thing if isinstance(thing, Generator) else getattr(thing, "generator", None)
+    own = getattr(generator, "f", None)
+    if own is not None and own.codes is None:
+        found["generator.f"] = own.function
+    return found
+
+
+def _named(f: Nonlinearity) -> Any:
+    """The names of f, one if all components have the same."""
+    if f.codes is None:
+        return entries(f.function)
+    names = tuple(NAMED[code] for code in f.codes)
+    return names[0] if len(set(names)) == 1 else names
+
+
+def _slopes(f: Nonlinearity) -> Any:
+    """The slopes where they are not those of the names."""
+    if f.slopes is None:
+        return None
+    if f.codes is not None:
+        known = tuple((KNOWN[NAMED[code]].low, KNOWN[NAMED[code]].high) for code in f.codes)
+        if f.slopes == known:
+            return None
+    return [(finite(low), finite(high)) for low, high in f.slopes]
+
+
+def _low(value: float | None) -> float:
+    return -np.inf if value is None else value
+
+
+def _time(value: str) -> Time:
+    return "discrete" if value == "discrete" else "continuous"
+
+
+def _stacked(name: str, matrices: list[Any]) -> Any:
+    """The matrices of all corners; raises ParameterError where one has another shape."""
+    tables = [matrix(name, one) for one in matrices]
+    shapes = [one.shape for one in tables]
+    if len(set(shapes)) > 1:
+        raise ParameterError(f"{name} needs the same shape at every corner, received {shapes}", field=name)
+    return tables

@@ -1,0 +1,132 @@
+"""Expressions of symbolic plants as text, read without running any of it."""
+
+from __future__ import annotations
+
+import ast
+from math import isfinite
+from typing import Any
+
+from pointpred.errors import ParameterError
+from pointpred_observers.plants.polynomials import symbolic
+
+LONGEST = 20_000
+"""Most characters of an expression."""
+DIGITS_MOST = 4096
+"""Most bits of a power of numbers."""
+CONSTANTS = ("pi", "E")
+CALLED = (*("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sqrt"),)
+
+
+def text_of(expression: Any) -> str:
+    """An expression as ``parsed`` reads it; raises ParameterError for one that it could not read.
+
+    >>> import sympy as sp
+    >>> x = sp.Symbol("x")
+    >>> text_of(sp.sqrt(x) / 3 + sp.sin(2 * x))
+    'sqrt(x)/3 + sin(2*x)'
+    """
+    text = str(symbolic().sstr(expression, full_prec=False))
+    if parsed(text, "the expression") != expression:
+        raise ParameterError(f"{text} cannot be saved: it changes when it is read again")
+    return text
+
+
+def names_of(symbols: Any) -> tuple[str, ...]:
+    """The names of symbols; raises ParameterError for one that is no plain name."""
+    names = tuple(str(one) for one in symbols)
+    for name in names:
+        if not _plain(name):
+            raise ParameterError(
+                f"a symbol in a file needs a plain name, such as x1, that is no function, received {name!r}",
+                field=name,
+            )
+    return names
+
+
+def symbols_of(names: tuple[str, ...]) -> list[Any]:
+    """The symbols of names."""
+    return [symbolic().Symbol(name) for name in names_of(names)]
+
+
+def parsed(text: str, where: str) -> Any:
+    """The expression that a text means: numbers, names, + - * / **, and the known functions of one argument.
+
+    Decimals are read as they print. Nothing is evaluated as Python. Raises ParameterError naming ``where``
+    and the part that cannot be read.
+
+    >>> parsed("0.5*x**2 - sin(x)", "field[0]")
+    x**2/2 - sin(x)
+    >>> parsed("open('/etc/hosts')", "field[0]")  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: field[0]: open('/etc/hosts') is not known; an expression may hold ...
+    """
+    if len(text) > LONGEST:
+        raise ParameterError(f"{where}: an expression has at most {LONGEST} characters, received {len(text)}")
+    try:
+        expression = _built(ast.parse(text.strip(), mode="eval").body, where)
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as unusable:
+        if isinstance(unusable, ParameterError):
+            raise
+        raise ParameterError(f"{where}: {text!r:.60} is no expression") from unusable
+    sp = symbolic()
+    if expression.has(sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I):
+        raise ParameterError(f"{where}: {text!r:.60} has no finite real value")
+    return expression
+
+
+def _built(node: ast.expr, where: str) -> Any:
+    sp = symbolic()
+    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+        if isinstance(node.value, float) and not isfinite(node.value):
+            raise ParameterError(f"{where}: a number is too large")
+        return sp.Rational(repr(node.value))
+    if isinstance(node, ast.Name):
+        return getattr(sp, node.id) if node.id in CONSTANTS else sp.Symbol(node.id)
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.UAdd | ast.USub):
+        inner = _built(node.operand, where)
+        return -inner if isinstance(node.op, ast.USub) else inner
+    if isinstance(node, ast.BinOp):
+        left, right = _built(node.left, where), _built(node.right, where)
+        if isinstance(node.op, ast.Add):
+            return left + right
+        if isinstance(node.op, ast.Sub):
+            return left - right
+        if isinstance(node.op, ast.Mult):
+            return left * right
+        if isinstance(node.op, ast.Div):
+            if right == 0:
+                raise ParameterError(f"{where}: divides by zero in {ast.unparse(node)}")
+            return left / right
+        if isinstance(node.op, ast.Pow):
+            return _power(left, right, where)
+    if (
+        isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Name)
+        and node.func.id in CALLED
+        and len(node.args) == 1
+        and not node.keywords
+    ):
+        return getattr(sp, node.func.id)(_built(node.args[0], where))
+    raise ParameterError(
+        f"{where}: {ast.unparse(node)} is not known; an expression may hold numbers, names, + - * / **, "
+        f"{', '.join(CONSTANTS)} and {', '.join(CALLED)}"
+    )
+
+
+def _power(base: Any, exponent: Any, where: str) -> Any:
+    """Base ** exponent; raises ParameterError for a number too long to be meant."""
+    # sympy works out the whole part of a rational exponent, as it does an integer.
+    if exponent.is_Rational and abs(exponent) > 1:
+        parts = [part for one in base.atoms(symbolic().Rational) for part in (one.p, one.q)]
+        size = max((abs(int(part)).bit_length() for part in parts), default=1)
+        if size * abs(int(exponent)) > DIGITS_MOST:
+            raise ParameterError(f"{where}: the power {base}**{exponent} is too large")
+    return base**exponent
+
+
+def _plain(name: str) -> bool:
+    try:
+        node = ast.parse(name, mode="eval").body
+    except SyntaxError:
+        return False
+    return isinstance(node, ast.Name) and node.id not in (*CONSTANTS, *CALLED)

@@ -1,0 +1,148 @@
+"""The generator (or the dynamic regulator) that drives a Persidskii plant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
+from pointpred_observers.numerics.equalities import TOLERANCE, column_units, share_of_terms
+from pointpred_observers.numerics.matrices import TIMES, instance, matrix, one_of
+from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.nonlinearity import NAMED, Nonlinearity, nonlinearity, same
+from pointpred_observers.plants.persidskii import Persidskii, column
+
+
+class Fitted(msgspec.Struct, frozen=True):
+    """A generator with every matrix, in the shape that a plant needs; ``J`` may be ``None``."""
+
+    q: int
+    S0: FloatArray
+    S1: FloatArray
+    J: FloatArray | None
+    G: FloatArray
+    L0: FloatArray
+    L1: FloatArray
+    E: FloatArray
+
+
+class Generator:
+    """The signal generator of chapter 3: w' = S0 w + S1 f(Jw) + G y + E rho, u = L0 w + L1 f(Jw).
+
+    With y measured instead of known it is the dynamic regulator of (3.8). Constant matrices only.
+
+    Parameters: ``S0`` (q, q), ``S1`` (q, k), ``J`` (r, q) or ``None`` for the plant's, J = H Pi; ``G`` (q,
+    p), ``L0`` (m, q), ``L1`` (m, k), ``E`` (q, z), ``None`` for zero; ``f`` the generator's own nonlinearity,
+    ``None`` for the plant's; ``time`` ``"continuous"`` or ``"discrete"``, ``None`` for the plant's.
+    Raises ParameterError (a ValueError) naming the matrix.
+
+    Reference: Khalin 2022, (3.2), (3.8).
+
+    >>> Generator([[0.0, 1.0], [-1.0, 0.0]], L0=[1.0, 0.0]).q
+    2
+    """
+
+    def __init__(
+        self,
+        S0: Any,
+        S1: Any = None,
+        J: Any = None,
+        G: Any = None,
+        L0: Any = None,
+        L1: Any = None,
+        E: Any = None,
+        f: Any = None,
+        *,
+        time: str | None = None,
+    ) -> None:
+        self.time = None if time is None else one_of("time", time, TIMES)
+        self.S0: FloatArray = matrix("S0", S0, len(matrix("S0", S0)), len(matrix("S0", S0)))
+        self.q = len(self.S0)
+        if not self.q:
+            raise ParameterError("S0 needs at least one state, received none", field="S0")
+        self._fitted: tuple[Plant, Fitted] | None = None
+        self.S1 = None if S1 is None else column("S1", S1, self.q)
+        self.J = None if J is None else matrix("J", J, None, self.q)
+        self.G = None if G is None else column("G", G, self.q)
+        self.E = None if E is None else column("E", E, self.q)
+        self.L0 = None if L0 is None else matrix("L0", L0, None, self.q)
+        self.L1 = None if L1 is None else matrix("L1", L1, None if self.L0 is None else len(self.L0))
+        values = [one.shape[1] for one in (self.S1, self.L1) if one is not None]
+        self.f = None if f is None else nonlinearity(f, values[0] if values else 1)
+
+    def beside(self, plant: Plant) -> Fitted:
+        """Every matrix in the shape that the plant needs, zero where it was left out.
+
+        Raises ParameterError naming the matrix, its shape and the shape needed, and where the generator is
+        discrete and the plant is not, or the other way round.
+        """
+        if self._fitted is not None and self._fitted[0] is plant:
+            return self._fitted[1]
+        given, plant, q = plant, as_plant(plant), self.q
+        if self.time not in (None, plant.time):
+            raise ParameterError(
+                f"the generator is {self.time} and the plant {plant.time}: sample the continuous one, c2d",
+                field="time",
+            )
+        own = [one.shape[1] for one in (self.S1, self.L1) if self.f is not None and one is not None]
+        k = own[0] if own else plant.k
+        needed = {
+            "S1": (q, k),
+            "G": (q, plant.p),
+            "L0": (plant.m, q),
+            "L1": (plant.m, k),
+            "E": (q, plant.z),
+        }
+        full = {name: _shaped(name, getattr(self, name), shape) for name, shape in needed.items()}
+        j = None if self.J is None else matrix("J", self.J, plant.r if self.f is None else None, q)
+        self._fitted = given, Fitted(q=q, S0=self.S0, J=j, **full)
+        return self._fitted[1]
+
+
+def fitted(generator: Any, plant: Plant, name: str = "generator") -> Fitted:
+    """Every matrix of a generator, or of a regulator, in the shape that the plant needs.
+
+    Raises ParameterError for what is no generator, and naming the matrix that does not fit.
+    """
+    return instance(name, generator, Generator).beside(plant)
+
+
+def require_same_nonlinearity(
+    plant: Persidskii, generator: Generator, Pi: FloatArray | None = None, name: str = "generator"
+) -> None:
+    """Raise ParameterError unless generator and plant share f and its arguments, as every proof assumes.
+
+    The proofs compare f(Hx) with f(Jw): they say nothing of a generator whose own f is another one, nor,
+    where ``Pi`` (n, q) is passed, of a J that differs from H Pi by more than rounding of its terms.
+    """
+    used = [one for one in (generator.S1, generator.L1) if one is not None]
+    if generator.f is not None and used:
+        widths = {one.shape[1] for one in used}
+        if widths != {plant.k} or (any(one.any() for one in used) and not same(generator.f, plant.f)):
+            raise ParameterError(
+                f"the {name} has an f of its own, {_text(generator.f)}, and the plant {_text(plant.f)}: a "
+                f"proof needs one f for both, leave out that of the {name}",
+                field="f",
+            )
+    if Pi is None or generator.J is None:
+        return
+    needed = plant.H @ Pi
+    j = matrix("J", generator.J, *needed.shape)
+    terms = np.abs(plant.H) @ np.abs(Pi) + np.abs(j)
+    units = column_units(np.abs(plant.A0) @ np.abs(Pi) + np.abs(Pi) @ np.abs(generator.S0))
+    if not share_of_terms(j - needed, terms, units) <= TOLERANCE:
+        raise ParameterError(f"J must be H Pi, differs by {np.abs(j - needed).max():.3g}", field="J")
+
+
+def _text(f: Nonlinearity) -> str:
+    """The names of f, or that it is a function."""
+    if f.codes is None:
+        return "a function"
+    return ", ".join(dict.fromkeys(NAMED[code] for code in f.codes)) or "none"
+
+
+def _shaped(name: str, value: FloatArray | None, shape: tuple[int, int]) -> FloatArray:
+    return np.zeros(shape) if value is None else matrix(name, value, *shape)

@@ -1,0 +1,96 @@
+"""Linear plants of other libraries: state-space systems of python-control and scipy."""
+
+from __future__ import annotations
+
+from math import inf
+from typing import Any, Protocol
+
+import numpy as np
+
+from pointpred.errors import ParameterError
+from pointpred.parameter import is_number
+from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.plants.persidskii import Persidskii
+
+
+class LinearSystem(Protocol):
+    """x' = A x + B u, y = C x + D u of another library: ``control.StateSpace``, ``scipy.signal.lti``."""
+
+    A: Any
+    B: Any
+    C: Any
+    D: Any
+
+
+Plant = Persidskii | LinearSystem
+"""What every design takes as its plant."""
+
+
+def as_plant(system: Any) -> Persidskii:
+    """The Persidskii system of a linear system x' = A x + B u, y = C x, or a Persidskii system as it is.
+
+    Discrete where the system has a step (``dt`` above 0, or True); rates are then per step. A transfer
+    function of scipy or python-control is realised by its own library.
+
+    Raises ParameterError for other objects, for a transfer function that is not proper, for a system without
+    states, for D other than 0 and for a ``dt`` that is no number.
+
+    >>> from scipy import signal
+    >>> as_plant(signal.TransferFunction([1.0], [1.0, 2.0, 1.0])).A0.tolist()
+    [[-2.0, -1.0], [1.0, 0.0]]
+    >>> as_plant([[1.0]])
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: a plant must be a Persidskii system or a linear one with A, B, C and D, \
+such as control.StateSpace or scipy.signal.StateSpace, received list
+    """
+    if isinstance(system, Persidskii):
+        return system
+    if not hasattr(system, "A") and hasattr(system, "to_ss"):
+        system = _realised(system)
+    if not all(hasattr(system, name) for name in "ABCD"):
+        raise ParameterError(
+            "a plant must be a Persidskii system or a linear one with A, B, C and D, such as "
+            f"control.StateSpace or scipy.signal.StateSpace, received {type(system).__name__}",
+            field="plant",
+            value=system,
+        )
+    a = matrix("A", system.A)
+    if not a.size:
+        raise ParameterError("a plant needs at least one state, A is empty", field="plant", value=system)
+    d = matrix("D", system.D, len(matrix("C", system.C)), matrix("B", system.B).shape[1])
+    if d.any():
+        raise ParameterError(
+            "a plant needs D = 0: subtract D u from the measured output and pass the system without D",
+            field="plant",
+            value=system,
+        )
+    time = "discrete" if _has_step(system) else "continuous"
+    return Persidskii(a, None, None, "identity", B=system.B, C0=system.C, time=time)
+
+
+def _realised(system: Any) -> Any:
+    """A transfer function as a state-space system, by its own library."""
+    try:
+        return system.to_ss()
+    except (ValueError, TypeError, ArithmeticError, NotImplementedError) as failure:
+        raise ParameterError(
+            f"a plant must have a state-space form, received a {type(system).__name__} that has none: "
+            f"{failure}",
+            field="plant",
+            value=system,
+        ) from failure
+
+
+def _has_step(system: Any) -> bool:
+    """Whether a system is discrete; python-control has True for a step that is not known."""
+    step = getattr(system, "dt", None)
+    if step is None or isinstance(step, bool | np.bool_):
+        return bool(step)
+    if not is_number(step) or not 0.0 <= step < inf:
+        raise ParameterError(
+            "dt of a plant must be a number not below 0, True for a step that is not known, or None, "
+            f"received {step!r}",
+            field="dt",
+            value=step,
+        )
+    return bool(step > 0.0)

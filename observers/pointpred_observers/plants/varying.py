@@ -1,0 +1,407 @@
+"""Parameter-varying systems with unknown inputs, and the matrices that decouple an observer from them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from copy import copy
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pointpred.errors import ParameterError
+from pointpred.records import FloatArray
+from pointpred_observers.numerics.balance import Coordinates, balanced
+from pointpred_observers.numerics.equalities import without_rounding
+from pointpred_observers.numerics.matrices import TIMES, dimensions, instance, matrix, one_of
+from pointpred_observers.plants.boxes import (
+    Box,
+    Point,
+    at_vertices,
+    difference,
+    samples,
+    scheduled,
+)
+from pointpred_observers.plants.zeros import decoupling, fixed_modes
+
+
+class ParameterVaryingSystem:
+    """x' = A(p) x + b(y, u) + F(p) d, y = C x, with d unknown and p scheduled.
+
+    In discrete time x' is the next x. Assumes that F depends on measured variables only, and in continuous
+    time that the rate of each variable it depends on is a scheduling variable as well: T changes with F,
+    and the observer needs its rate. Where a box has the variables of A, ``decoupled`` is compared with T A;
+    where it lacks one, ``decoupled`` is assumed to be right.
+
+    E = -F (C F)^+, T = I + E C, so that T F = 0; Gamma = T A + T'. With rank(C F) = rank(F) the unknown
+    input does not enter e = T x - z at all.
+
+    Parameters: ``a``, ``f`` n x n and n x m, each a matrix or a function of a point; ``c`` p x n;
+    ``rates`` names for a variable the one that is its rate; ``decoupled`` T A as a function of a point, if
+    it needs fewer variables than A; ``sizes`` of the states (n) that count alike in a certificate, by
+    default chosen so that the matrices are balanced (with ``sizes`` the design depends on the unit of time:
+    gamma, a time, is weighed against P, which has no unit); ``time`` "continuous" or "discrete".
+    Raises ParameterError for mismatched shapes.
+
+    Reference: Benyoucef et al. 2021, equations (15), (16), (22), with the signs of (17), (18).
+
+    >>> system = ParameterVaryingSystem(
+    ...     lambda p: np.array([[-1.0, 1.0], [0.0, p["k"]]]),
+    ...     lambda p: np.array([[1.0], [2.0]]),
+    ...     np.array([[1.0, 0.0]]),
+    ... )
+    >>> system.t({"k": -3.0}).tolist()
+    [[0.0, 0.0], [-2.0, 1.0]]
+    """
+
+    def __init__(
+        self,
+        a: Any,
+        f: Any,
+        c: Any,
+        *,
+        rates: Mapping[str, str] | None = None,
+        decoupled: Any = None,
+        sizes: Any = None,
+        time: str = "continuous",
+    ) -> None:
+        one_of("time", time, TIMES)
+        self._a, self._f, self.time = scheduled("A", a), scheduled("F", f), time
+        self._decoupled = None if decoupled is None else scheduled("T A", decoupled)
+        self.c = _shaped("C", c, (None, None))
+        self.rates = dict(instance("rates", {} if rates is None else rates, dict))
+        if self.rates and time == "discrete":
+            raise ParameterError("a discrete system needs no rates: T is that of the step", field="rates")
+        self._weights = np.ones(len(self.c))
+        self.sizes = None if sizes is None else matrix("sizes", sizes, 1, self.c.shape[1])[0]
+        if self.sizes is not None and (self.sizes <= 0.0).any():
+            raise ParameterError(f"sizes must lie above 0, received {sizes!r}", field="sizes", value=sizes)
+
+    @property
+    def decoupled(self) -> bool:
+        """Whether T A was given."""
+        return self._decoupled is not None
+
+    def units(self, gammas: FloatArray, decay: float) -> tuple[Coordinates, float]:
+        """The units in which a design for ``gammas`` is posed, and the unit of time in which it is balanced.
+
+        The first are those of ``sizes``, or balanced ones.
+        """
+        units = balanced(gammas, seen=self.c, rates=(2.0 * decay,), time=self.time)
+        if self.sizes is None:
+            return units, units.seconds
+        none, outputs = np.zeros(0), np.abs(self.c * self.sizes).max(axis=1)
+        return Coordinates(self.sizes, outputs, none, none, 1.0), units.seconds
+
+    def weighted(self, box: Box) -> Self:
+        """The same system, whose (C F)^+ weighs the outputs in balanced units if there is a choice.
+
+        With more outputs than unknown inputs there are many inverses of C F; the one of plain least squares
+        would depend on the units of the outputs.
+        """
+        if self.decoupled or len(self.c) == self.f(box.corners[0]).shape[1]:
+            return self
+        other = copy(self)
+        a, driven = (np.array([of(point) for point in box.corners]) for of in (self.a, self.f))
+        other._weights = 1.0 / balanced(a, seen=self.c, driven=driven, time=self.time).outputs
+        return other
+
+    def a(self, point: Point) -> FloatArray:
+        """A at a point, n x n."""
+        return _shaped("A", self._a(point), (self.c.shape[1], self.c.shape[1]))
+
+    def f(self, point: Point) -> FloatArray:
+        """F at a point, n x m."""
+        return _shaped("F", self._f(point), (self.c.shape[1], None))
+
+    def e(self, point: Point) -> FloatArray:
+        """E = -F (C F)^+, n x p."""
+        f = self.f(point)
+        return -f @ self._inverse(f)
+
+    def t(self, point: Point, *, check: bool = True) -> FloatArray:
+        """T = I + E C; raises ParameterError naming the ranks if T F = 0 is impossible.
+
+        Without ``check`` it is computed in any case.
+        """
+        if check:
+            return decoupling(self.f(point), self._weights[:, None] * self.c)
+        e, one = self.e(point), np.eye(self.c.shape[1])
+        return without_rounding(one + e @ self.c, one, np.abs(e) @ np.abs(self.c))
+
+    def ta(self, point: Point) -> FloatArray:
+        """T A at a point."""
+        if self._decoupled is not None:
+            return _shaped("T A", self._decoupled(point), (self.c.shape[1], self.c.shape[1]))
+        t, a = self.t(point, check=False), self.a(point)
+        return without_rounding(t @ a, np.abs(t) @ np.abs(a))
+
+    def e_rate(self, point: Point) -> FloatArray:
+        """dE/dt from the rates of F's variables; exact for F affine in each, zero in discrete time."""
+        f, moving = self.f(point), self._f_rate(point)
+        x, w = self._inverse(f), self._weights
+        # X' = -X C F' X + ((W C F)' W C F)^-1 (W C F')' W (I - C F X), X = (W C F)^+ W
+        rest = (w[:, None] * (self.c @ moving)).T * w @ (np.eye(len(self.c)) - self.c @ f @ x)
+        rate: FloatArray = -moving @ x + f @ (x @ self.c @ moving @ x - (x / w) @ (x / w).T @ rest)
+        return rate
+
+    def gamma(self, point: Point) -> FloatArray:
+        """Gamma = T A + T' (in discrete time T A), the error dynamics without a gain."""
+        ta = self.ta(point)
+        if not self.rates:
+            return ta
+        moving = self.e_rate(point)
+        return without_rounding(ta + moving @ self.c, ta, np.abs(moving) @ np.abs(self.c))
+
+    def at_vertices(self, box: Box) -> tuple[FloatArray, FloatArray]:
+        """Gamma and T at each vertex; raises ParameterError where one is not affine in each variable."""
+        gammas = at_vertices(self.gamma, box, "Gamma = T A + T'", self._gamma_terms)
+        return gammas, at_vertices(self.t, box, "T", self._t_terms)
+
+    def _inverse(self, f: FloatArray) -> FloatArray:
+        """(W C F)^+ W, W the weights of the outputs."""
+        return np.asarray(np.linalg.pinv(self._weights[:, None] * (self.c @ f)) * self._weights)
+
+    def _f_rate(self, point: Point, *, sizes: bool = False) -> FloatArray:
+        """dF/dt, or the ``sizes`` of its terms."""
+        f = self.f(point)
+        total = np.zeros_like(f)
+        for name, rate in self.rates.items():
+            ahead = self.f({**point, name: point[name] + 1.0})
+            slope = np.abs(ahead) + np.abs(f) if sizes else ahead - f
+            total = total + slope * (abs(point[rate]) if sizes else point[rate])
+        return np.asarray(total, np.float64)
+
+    def _inverse_terms(self, point: Point) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """abs(F), the sizes of the terms of (C F)^+, and abs(C): entries may be small differences of them."""
+        f, c = self.f(point), np.abs(self.c)
+        x = np.abs(self._inverse(f))
+        return np.abs(f), np.asarray(x @ c @ np.abs(f) @ x, np.float64), c
+
+    def _t_terms(self, point: Point) -> FloatArray:
+        """The sizes of the terms of T, of which its entries may be small differences."""
+        f, x, c = self._inverse_terms(point)
+        return np.asarray(np.eye(self.c.shape[1]) + f @ x @ c, np.float64)
+
+    def _gamma_terms(self, point: Point) -> FloatArray:
+        """The same of Gamma."""
+        if self._decoupled is not None:
+            terms = np.abs(self.ta(point))
+        else:
+            terms = self._t_terms(point) @ np.abs(self.a(point))
+        if not self.rates:
+            return terms
+        (f, x, c), w, moving = self._inverse_terms(point), self._weights, self._f_rate(point, sizes=True)
+        rest = (w[:, None] * (c @ moving)).T * w @ (np.eye(len(c)) + c @ f @ x)
+        moved = moving @ x + f @ (x @ c @ moving @ x + (x / w) @ (x / w).T @ rest)
+        return np.asarray(terms + moved @ c, np.float64)
+
+    def checked(self, box: Box) -> None:
+        """Raise ParameterError if the system and a box of its variables do not match."""
+        instance("box", box, Box)
+        for name, rate in self.rates.items():
+            for one in (name, rate):
+                if one not in box.names:
+                    raise ParameterError(f"the box needs the axis {one}, received {', '.join(box.names)}")
+        for point in box.corners:
+            try:
+                self.t(point)
+                self.ta(point)
+            except KeyError as missing:
+                raise ParameterError(
+                    f"the system needs the variable {missing}, the box has {', '.join(box.names)}"
+                ) from missing
+            except ParameterError as wrong:
+                raise ParameterError(f"{wrong}; at the vertex {point}") from wrong
+        self._require_decoupled(box)
+        if self.time == "discrete":
+            return
+        forces = at_vertices(self.f, box, "F")
+        for name, (low, high) in box.bounds.items():
+            first, last = (box.mixed(forces, {**box.corners[0], name: end}) for end in (low, high))
+            if name not in self.rates and not np.array_equal(first, last):
+                raise ParameterError(f"F varies with {name}: its rate must be a scheduling variable too")
+
+    def _require_decoupled(self, box: Box) -> None:
+        """Raise ParameterError unless the given T A is T times A, where the box has A's variables."""
+        if not self.decoupled:
+            return
+        points = box.corners + samples(box)
+        try:
+            drift = [self.a(point) for point in points]
+        except KeyError:
+            return
+        given = np.array([self.ta(point) for point in points])
+        product = np.array([self.t(point) @ a for point, a in zip(points, drift, strict=True)])
+        terms = [self._t_terms(point) @ np.abs(a) for point, a in zip(points, drift, strict=True)]
+        place = difference(given, product, given, np.array(terms))
+        if place is not None:
+            row, column, error = place
+            raise ParameterError(
+                f"TA must be T times A, T = I - F (C F)^+ C: they differ by {error:.3g} in row {row + 1}, "
+                f"column {column + 1}; correct it, or leave TA out, then it is computed",
+                field="TA",
+            )
+
+
+class CornerSystem(ParameterVaryingSystem):
+    """x' = A(p) x + b(y, u) + F(p) d, y = C x by the matrices at the corners of a box: it can be saved.
+
+    Affine in each scheduling variable; with one variable the corners are its low and its high end.
+
+    Parameters: ``box``; ``A``, ``F`` and, if it is given, ``TA`` (T A where it needs fewer variables than A):
+    a matrix, or one for each vertex of ``box.vertices`` in its order, (vertices, rows, columns); ``C`` p x n;
+    ``rates``, ``sizes``, ``time`` as for ``ParameterVaryingSystem``. Raises ParameterError.
+
+    >>> box = Box({"k": (-3.0, -1.0)})
+    >>> system = CornerSystem(box, [[[0, 1], [0, -3]], [[0, 1], [0, -1]]], [[1], [0]], [[1, 0]])
+    >>> system.a({"k": -2.0}).tolist()
+    [[0.0, 1.0], [0.0, -2.0]]
+    """
+
+    def __init__(
+        self,
+        box: Box,
+        A: Any,
+        F: Any,
+        C: Any,
+        *,
+        TA: Any = None,
+        rates: Mapping[str, str] | None = None,
+        sizes: Any = None,
+        time: str = "continuous",
+    ) -> None:
+        self.box = instance("box", box, Box)
+        given = {"A": A, "F": F, "TA": TA}
+        self.corners = {name: _held(box, name, one) for name, one in given.items() if one is not None}
+        held = {name: CornerMatrix(box, one) for name, one in self.corners.items()}
+        super().__init__(
+            held.get("A"), held.get("F"), C, rates=rates, decoupled=held.get("TA"), sizes=sizes, time=time
+        )
+        self.checked(box)
+
+    @classmethod
+    def of(cls, system: ParameterVaryingSystem, box: Box) -> Self:
+        """The matrices of a system at the corners.
+
+        Raises ParameterError unless A and F are affine in each variable: nothing else would be known of them
+        between the corners; also where A needs a variable that the box lacks.
+        """
+        instance("system", system, ParameterVaryingSystem)
+        try:
+            drift = at_vertices(system.a, box, "A")
+        except KeyError as missing:
+            raise ParameterError(
+                f"A needs the variable {missing}, the box has {', '.join(box.names)}: A has no matrices at "
+                "the corners, and a T A cannot be compared with it; keep the program that makes the system, "
+                "or take a box that has every variable of A",
+                field="A",
+            ) from missing
+        return cls(
+            box,
+            drift,
+            at_vertices(system.f, box, "F"),
+            system.c,
+            TA=at_vertices(system.ta, box, "T A") if system.decoupled else None,
+            rates=system.rates,
+            sizes=system.sizes,
+            time=system.time,
+        )
+
+
+class CornerMatrix:
+    """A matrix that is affine in each variable of a box, also beyond it; exact at the corners.
+
+    A variable along which the matrix does not change need not be in the point.
+
+    >>> held = CornerMatrix(Box({"k": (1.0, 3.0)}), np.array([[[10.0]], [[30.0]]]))
+    >>> held({"k": 1.5}).tolist(), held({"k": 4.0}).tolist()
+    ([[15.0]], [[40.0]])
+    """
+
+    def __init__(self, box: Box, values: FloatArray) -> None:
+        wide = [(name, pair) for name, pair in box.bounds.items() if pair[0] < pair[1]]
+        self._mixed = values.reshape((2,) * len(wide) + values.shape[1:])
+        self._axes: list[tuple[str, float, float]] = []
+        for name, (low, high) in wide:
+            place = len(self._axes)
+            first, last = np.take(self._mixed, 0, place), np.take(self._mixed, 1, place)
+            if np.array_equal(first, last):
+                self._mixed = first
+            else:
+                self._axes.append((name, low, high))
+
+    def __call__(self, point: Point) -> FloatArray:
+        """The matrix at a point; raises KeyError for a variable that it needs and the point lacks."""
+        mixed = self._mixed
+        for name, low, high in self._axes:
+            share = (point[name] - low) / (high - low)
+            at_end = share in (0.0, 1.0)
+            mixed = mixed[int(share)] if at_end else (1.0 - share) * mixed[0] + share * mixed[1]
+        return mixed
+
+
+def _held(box: Box, name: str, given: Any) -> FloatArray:
+    count = len(box.vertices)
+    if dimensions(given) != 3:
+        return np.repeat(matrix(name, given)[None], count, axis=0)
+    if len(given) != count:
+        raise ParameterError(
+            f"{name} needs a matrix, or {count} of them, one for each corner of the box, "
+            f"received {len(given)}",
+            field=name,
+            value=given,
+        )
+    return np.array([matrix(name, one) for one in given])
+
+
+def invariant_zeros(a: Any, f: Any, c: Any = None) -> NDArray[np.complex128]:
+    """The invariant zeros of x' = A x + F d, y = C x, where d is unknown; needs no solver.
+
+    Assumes rank(C F) = rank(F) = columns of F, so that d can be decoupled; raises ParameterError otherwise.
+    Rank decisions are made at 1e-9: zeros of nearly cancelling systems may be found or missed.
+
+    The zeros are the values s where [[A - s I, F], [C, 0]] loses rank: the eigenvalues of T A on its
+    unobservable subspace, T = I - F (C F)^+ C. No gain moves them: errors in those modes decay or grow at
+    these rates.
+
+    Parameters: the matrices A (n, n), F (n, m), C (p, n); or a ``ParameterVaryingSystem`` and its ``Box``.
+    Returns the zeros, complex, the slowest first; of a system one row per vertex of the box.
+
+    Reference: Darouach, Zasadzinski, Xu 1994, theorem 2; the pencil is Rosenbrock's.
+
+    >>> a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0], [0.0, 1.0, -2.0]])
+    >>> f, c = np.array([[1.0], [0.0], [0.0]]), np.array([[1.0, 0.0, 0.0]])
+    >>> invariant_zeros(a, f, c).real.tolist()
+    [0.0, -2.0]
+    """
+    if not isinstance(a, ParameterVaryingSystem):
+        n = len(matrix("A", a))
+        one = ParameterVaryingSystem(matrix("A", a, n, n), matrix("F", f, n), matrix("C", c, None, n))
+        return fixed_modes(one.ta({}), one.c)
+    rows = [fixed_modes(a.ta(point), a.c) for point in instance("box", f, Box).corners]
+    counts = [len(row) for row in rows]
+    if min(counts) != max(counts):
+        raise ParameterError(
+            f"the number of invariant zeros must not change over the box, it lies between {min(counts)} "
+            f"and {max(counts)}"
+        )
+    return np.array(rows).reshape(len(rows), counts[0])
+
+
+def _shaped(name: str, value: Any, shape: tuple[int | None, int | None]) -> FloatArray:
+    """A matrix of a caller; ``None`` leaves a side free."""
+    if isinstance(value, np.ndarray) and value.dtype == np.float64 and value.ndim == 2:
+        rows, columns = shape
+        fits = rows in (None, value.shape[0]) and columns in (None, value.shape[1])
+        if fits and np.isfinite(value).all():
+            return value  # as it is at every sample
+    uneven = dimensions(value) == 0 and isinstance(value, list | tuple)  # rows of different lengths
+    entries = matrix(name, value) if uneven or dimensions(value) == 2 else np.zeros(np.shape(value))
+    if entries.ndim != 2 or any(
+        one not in (None, has) for one, has in zip(shape, entries.shape, strict=True)
+    ):
+        rows, columns = shape
+        wanted = f"({rows or 'outputs'}, {columns or ('inputs' if rows else 'states')})"
+        raise ParameterError(f"{name} has shape {entries.shape}, needs {wanted}", field=name, value=value)
+    return entries

@@ -1,0 +1,124 @@
+"""The search for the matrices of a design or a proof: posed, solved, brought to the user's units, audited.
+
+A problem says its systems once, for ``balanced`` to choose units. It is posed in those units, and where that
+is better or fails in the user's own; its answer counts only if it passes an audit in the user's units.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import SimpleNamespace
+from typing import Any, TypeVar
+
+import msgspec
+import numpy as np
+
+from pointpred.errors import CertificateError, InfeasibleError, UndecidedError
+from pointpred_observers.numerics.balance import Coordinates
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.unknowns import Block
+
+T = TypeVar("T")
+Units = Mapping[str, Any]
+"""What each matrix of the posed problem is divided by to be in the user's units."""
+LITTLE = 0.1
+"""The logarithm by which a size must be smaller in the user's units than in balanced ones to be taken."""
+SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
+"""Fractions of the slowest corner's decay that are tried where none is required."""
+
+
+class Posed(msgspec.Struct, frozen=True):
+    """A problem in chosen units: what it minimises, where it may begin, and the ``units`` of its matrices.
+
+    ``functions`` of the unknowns are matrices as well. Those without units are not part of the answer.
+    """
+
+    problem: MatrixInequalities
+    units: Units
+    minimise: Block | None = None
+    near: Mapping[str, Any] | None = None
+    functions: Mapping[str, Block] = {}
+
+
+def search(
+    units: Coordinates,
+    posed: Callable[[Coordinates], Posed],
+    audited: Callable[[dict[str, Any], float], T],
+    size: Callable[[T], float] | None = None,
+) -> T:
+    """What ``audited`` makes of the matrices that are found, in the user's units, and of their gap.
+
+    Parameters: ``units`` from ``balanced``; ``audited`` raises CertificateError for matrices that prove
+    nothing; ``size`` as for ``least_in_both``. Raises InfeasibleError, UndecidedError, CertificateError.
+    """
+
+    def attempt(one: Coordinates) -> T:
+        now = posed(one)
+        found = now.problem.solve(minimise=now.minimise, near=now.near)
+        v = SimpleNamespace(**found.values)
+        matrices = {**found.values, **{name: function(v) for name, function in now.functions.items()}}
+        try:
+            return audited(outward_all(matrices, now.units), np.inf if found.gap is None else found.gap)
+        except (CertificateError, np.linalg.LinAlgError) as failure:
+            # They passed in the units of the search: a CertificateError is for matrices of others.
+            raise UndecidedError(
+                f"{failure}; the matrices of this design lie too close to the edge for the arithmetic, which "
+                "proves nothing: require less decay, or measure more states"
+            ) from failure
+
+    return least_in_both(units, attempt, size)
+
+
+def least_in_both(
+    units: Coordinates, attempt: Callable[[Coordinates], T], size: Callable[[T], float] | None = None
+) -> T:
+    """What ``attempt`` finds in balanced units, or in the user's where that is smaller by more than a little.
+
+    ``size`` is a logarithm; without it the user's units are tried only where the balanced ones fail. Raises
+    what ``attempt`` raised in balanced units where both fail.
+    """
+    found, failures = [], []
+    for one in (units, units.plain):
+        try:
+            found.append(attempt(one))
+        except (InfeasibleError, UndecidedError, CertificateError) as failure:
+            failures.append(failure)
+        if size is None and found:
+            break
+    if not found:
+        raise failures[0]
+    if size is None or size(found[0]) <= size(found[-1]) + LITTLE:
+        return found[0]
+    return found[-1]
+
+
+def at_decay(
+    decay: float | None,
+    slowest: float,
+    time: str,
+    attempt: Callable[[float], T],
+    name: Callable[[float], str] = "decay = {:g}".format,
+) -> T:
+    """What ``attempt`` finds at ``decay``, or at the largest share of the slowest corner's that has any.
+
+    ``name`` says in a refusal what was required, to which the unit is added.
+    """
+    tried = [-share * slowest for share in SHARES] if decay is None else [decay]
+    for one in tried:
+        try:
+            return attempt(one)
+        except (InfeasibleError, UndecidedError) as failure:
+            if one == tried[-1]:
+                unit = "1/step" if time == "discrete" else "1/s"
+                raise type(failure)(f"{failure}; with {name(one)} {unit}") from failure
+    raise AssertionError
+
+
+def outward_all(values: Mapping[str, Any], units: Units) -> dict[str, Any]:
+    """Matrices of balanced inequalities in the user's units."""
+    return {name: values[name] / unit for name, unit in units.items() if name in values}
+
+
+def inward_all(values: Mapping[str, Any], units: Units) -> dict[str, Any]:
+    """The inverse."""
+    return {name: values[name] * unit for name, unit in units.items() if name in values}

@@ -1,0 +1,364 @@
+"""An unknown input observer at run time: samples in, estimates of the state and of the unknown input out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import ceil, isfinite
+from typing import TYPE_CHECKING, Any, Self
+
+import msgspec
+import numpy as np
+
+from pointpred.compiled import law
+from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.records import FloatArray, FloatTable
+from pointpred_observers.numerics.eigenvalues import perron_root
+from pointpred_observers.plants.boxes import Point, weigh
+from pointpred_observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
+
+if TYPE_CHECKING:
+    from pointpred_observers.unknown_input.observer import UnknownInputObserver
+
+Schedule = Callable[[FloatArray], Point]
+"""The scheduling variables at a time as a function of the estimate; it holds the measured ones itself."""
+SUBSTEP = 0.2
+"""Longest step of an integration, a share of the shortest time constant."""
+STEPS_MOST = 100_000
+"""Most steps between two samples: within as many time constants the steps grow with the interval."""
+BASE, TOTAL, STAGE, RATE, ESTIMATE = 0, 1, 2, 3, 4
+"""Rows of the space for a step: z at its begin, sums of rates, z and its rate now, x_hat now."""
+
+
+class UnknownInputSample(msgspec.Struct, frozen=True):
+    """The outputs y and the known part b(y, u) at ``t`` s (or the index), and the scheduling variables there.
+
+    An output that is NaN is missing, ``None`` for all of them.
+    """
+
+    t: float
+    y: Any
+    known: FloatArray
+    schedule: Schedule
+
+
+class UnknownInputEstimate(msgspec.Struct, frozen=True):
+    """The estimate of the state, and of the unknown input d with its standard deviation ``spread``.
+
+    ``certified`` while the scheduling variables lie in the design's box and no output has been missing
+    since the sample before. ``d`` is NaN until it can be estimated, and where the schedule lacks a variable
+    of A; without a filter it is the mean since the sample before and ``spread`` is NaN. In discrete time it
+    is the d of the step that ends here.
+    """
+
+    t: float
+    x: FloatArray
+    certified: bool
+    d: FloatArray
+    spread: FloatArray
+
+
+@law
+def mix(corners: FloatTable, axes: FloatTable, p: FloatArray, weights: FloatArray, block: FloatArray) -> bool:
+    """The matrices at a point of a box from those at its vertices, a row each; false for one outside."""
+    if not weigh(axes, p, weights):
+        return False
+    for j in range(len(block)):
+        block[j] = 0.0
+    for i in range(len(weights)):
+        if weights[i] != 0.0:
+            for j in range(len(block)):
+                block[j] += weights[i] * corners[i, j]
+    return True
+
+
+@law
+def estimated(block: FloatArray, ends: FloatTable, s: float, space: FloatTable) -> None:
+    """x_hat = z - E y, with y at a share ``s`` of the interval between two samples."""
+    n = space.shape[1]
+    outputs = ends.shape[1] - n
+    at = n * n + n * outputs
+    for i in range(n):
+        total = space[STAGE, i]
+        for j in range(outputs):
+            y = (1.0 - s) * ends[0, j] + s * ends[1, j]
+            total -= block[at + i * outputs + j] * y
+        space[ESTIMATE, i] = total
+
+
+@law
+def push(
+    block: FloatArray, c: FloatTable, ends: FloatTable, s: float, part: int, h: float, space: FloatTable
+) -> None:
+    """One of the four rates of a step of ``h`` s by Runge-Kutta, at x_hat and a share ``s`` of the interval.
+
+    z' = Gamma x_hat + K (y - C x_hat) + T b.
+    """
+    n = space.shape[1]
+    outputs = ends.shape[1] - n
+    k_at, t_at = n * n, n * n + 2 * n * outputs
+    for i in range(n):
+        total = 0.0
+        for j in range(n):
+            b = (1.0 - s) * ends[0, outputs + j] + s * ends[1, outputs + j]
+            total += block[i * n + j] * space[ESTIMATE, j] + block[t_at + i * n + j] * b
+        space[RATE, i] = total
+    for k in range(outputs):
+        error = (1.0 - s) * ends[0, k] + s * ends[1, k]
+        for j in range(n):
+            error -= c[k, j] * space[ESTIMATE, j]
+        for i in range(n):
+            space[RATE, i] += block[k_at + i * outputs + k] * error
+    for i in range(n):
+        if part == 0:
+            space[BASE, i], space[TOTAL, i] = space[STAGE, i], 0.0
+        rate = space[RATE, i]
+        space[TOTAL, i] += rate if part == 0 or part == 3 else 2.0 * rate
+        if part == 3:
+            space[STAGE, i] = space[BASE, i] + h / 6.0 * space[TOTAL, i]
+        else:
+            space[STAGE, i] = space[BASE, i] + (h if part == 2 else 0.5 * h) * rate
+
+
+class UnknownInputStage:
+    """A ``Stage[UnknownInputSample, UnknownInputEstimate]`` that runs a design.
+
+    Assumes that y, b and the scheduling variables are linear between two samples; in discrete time each
+    sample is a step, its index the last one plus 1. The matrices that run are those of the vertices, mixed:
+    the ones that are proved. Outside the box they are those of the system, with the gains of the nearest
+    point, and ``certified`` is false. With as many outputs as unknown inputs no gain acts.
+
+    While an output is missing at one end of an interval the model is followed, x' = A x + b + F d with the
+    last estimate of d (zero before the first). At its end the outputs that are measured correct the
+    estimate along F: x + F (C_s F)^+ (y_s - C_s x), which is the observer's own equation if none is
+    missing. Other errors are not corrected in such an interval, and nothing is proved. A sensor that is
+    gone for good needs a design of its own.
+
+    Parameters: ``design``; ``start`` the estimate at the first sample, by default 0, whose outputs the first
+    sample replaces; ``noise`` and ``density`` as for ``InputReconstruction``. Memory: the estimate, one
+    sample, a covariance, and the matrices at the vertices. Raises ParameterError; EventError and
+    EventOrderError from ``update``, which leaves it unchanged.
+
+    >>> from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver
+    >>> system = ParameterVaryingSystem(
+    ...     lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
+    ... )
+    >>> design = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), decay=0.5)
+    >>> running = design.stage([0.0, 1.0])
+    >>> for i in range(101):
+    ...     sample = UnknownInputSample(i / 100, np.array([7.0]), np.zeros(2), lambda x: {"k": -2.0})
+    ...     estimate = running.update(sample)
+    >>> round(float(estimate.x[1] / np.exp(-2.0)), 6), estimate.certified
+    (1.0, True)
+    >>> bool(abs(estimate.d[0] + estimate.x[1]) < 0.01)  # y' = x2 + d = 0
+    True
+    """
+
+    def __init__(
+        self, design: UnknownInputObserver, start: Any = None, *, noise: Any = None, density: Any = None
+    ) -> None:
+        outputs, n = design.system.c.shape
+        self.design, self.start = design, np.asarray(np.zeros(n) if start is None else start, np.float64)
+        if self.start.shape != (n,) or not np.isfinite(self.start).all():
+            raise ParameterError(f"start needs {n} finite numbers, received {start!r:.80}", field="start")
+        self.reconstruction = InputReconstruction(outputs, design.system.time, noise=noise, density=density)
+        corners = [design.equations(point) for point in design.box.corners]
+        self._corners = np.array([np.concatenate([part.ravel() for part in one]) for one in corners])
+        self._moving = any(not np.array_equal(one[2], corners[0][2]) for one in corners)  # E
+        self._axes = design.box.axes
+        self._fastest = design.fastest
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget every sample."""
+        outputs, n = self.design.system.c.shape
+        self._last: UnknownInputSample | None = None
+        self._whole, self._x = True, self.start
+        self._motion: tuple[FloatArray | None, FloatArray] = None, np.zeros((outputs, 0))
+        self._p: list[float] | None = None
+        self._inside = False
+        self._block, self._weights = np.zeros(self._corners.shape[1]), np.zeros(len(self._corners))
+        self._space, self._ends = np.zeros((5, n)), np.zeros((2, outputs + n))
+        self.reconstruction.reset()
+
+    def fresh(self) -> Self:
+        """The same design and start, without memory."""
+        of = self.reconstruction
+        return type(self)(self.design, self.start, noise=of.noise, density=of.density)
+
+    def update(self, given: UnknownInputSample, /) -> UnknownInputEstimate:
+        """Consume one sample; a refused one changes nothing."""
+        sample, old, system = self._checked(given), self._last, self.design.system
+        whole = not np.isnan(sample.y).any()
+        bridged = not (whole and self._whole)
+        if old is None:
+            seen = ~np.isnan(sample.y)
+            x = self.start + np.linalg.pinv(system.c[seen]) @ (sample.y - system.c @ self.start)[seen]
+        elif bridged:
+            x = self._bridged(self._x, old, sample)
+        elif system.time == "discrete":
+            x = self._onward(self._x, old, sample)
+        else:
+            x = self._carried(self._x, old, sample)
+        point = sample.schedule(x)
+        certified = not (bridged or self.design.box.outside(point))
+        motion = self._moved(x, point, sample)
+        d, spread = self._reconstructed(motion, old, sample)
+        self._x, self._last, self._whole, self._motion = x, sample, whole, motion
+        return UnknownInputEstimate(sample.t, x, certified, d, spread)
+
+    def _mixed(self, old: UnknownInputSample, new: UnknownInputSample, s: float, x: FloatArray) -> None:
+        """The matrices at a share of the interval between two samples, where the estimate is x."""
+        before, after = old.schedule(x), new.schedule(x)
+        names = self.design.box.names
+        try:
+            p = [(1.0 - s) * before[name] + s * after[name] for name in names]
+        except KeyError:
+            raise ParameterError(
+                f"a point needs {', '.join(names)}, received {', '.join(before)}", field="schedule"
+            ) from None
+        if p == self._p:
+            return
+        self._p = None
+        self._inside = mix(self._corners, self._axes, np.array(p, np.float64), self._weights, self._block)
+        if not self._inside:
+            parts = self.design.equations(dict(zip(names, p, strict=True)))
+            self._block[:] = np.concatenate([part.ravel() for part in parts])
+        self._p = p
+
+    def _carried(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
+        """The estimate at the next sample, with every output measured."""
+        steps, space, ends = _steps(old, new, self._fastest), self._space, self._ends
+        h, outputs = (new.t - old.t) / steps, len(old.y)
+        ends[0, :outputs], ends[0, outputs:] = old.y, old.known
+        ends[1, :outputs], ends[1, outputs:] = new.y, new.known
+        self._mixed(old, old, 0.0, x)
+        space[STAGE] = x + self._e() @ old.y
+        for i in range(steps):
+            for part, inner in enumerate((0.0, 0.5, 0.5, 1.0)):
+                s = (i + inner) / steps
+                self._mixed(old, new, s, self._estimate(old, new, s))
+                push(self._block, self.design.system.c, ends, s, part, h, space)
+        return self._estimate(old, new, 1.0)
+
+    def _estimate(self, old: UnknownInputSample, new: UnknownInputSample, s: float) -> FloatArray:
+        """x_hat; E depends on measured variables only, so z may stand in for the estimate."""
+        if self._moving or not self._inside:
+            self._mixed(old, new, s, self._space[STAGE].copy())
+        estimated(self._block, self._ends, s, self._space)
+        return np.array(self._space[ESTIMATE])
+
+    def _e(self) -> FloatArray:
+        outputs, n = self.design.system.c.shape
+        return np.asarray(self._block[n * (n + outputs) : n * (n + 2 * outputs)].reshape(n, outputs))
+
+    def _onward(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
+        """The next estimate of a discrete system, by E and T of the step that ends there."""
+        outputs, n = self.design.system.c.shape
+        self._mixed(old, old, 0.0, x)
+        gamma, k, _, t = np.split(self._block, np.cumsum([n * n, n * outputs, n * outputs]))
+        z = gamma.reshape(n, n) @ x + t.reshape(n, n) @ old.known
+        z += k.reshape(n, outputs) @ (old.y - self.design.system.c @ x)
+        return np.asarray(z - self._e() @ new.y, np.float64)
+
+    def _bridged(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
+        """The estimate at the next sample by the model, corrected along F by the measured outputs."""
+        system, latest, point = self.design.system, self.reconstruction.latest, old.schedule(x)
+        try:
+            system.a(point)
+        except KeyError as unknown:
+            raise EventError(
+                "while an output is missing the model is followed: "
+                f"the schedule needs the variable {unknown} of A",
+                field="schedule",
+            ) from unknown
+
+        def rate(x: FloatArray, s: float) -> FloatArray:
+            before, after = old.schedule(x), new.schedule(x)
+            at = {name: (1.0 - s) * before[name] + s * after[name] for name in before}
+            change: FloatArray = system.a(at) @ x + (1.0 - s) * old.known + s * new.known
+            return change if latest is None else change + system.f(at) @ latest
+
+        if system.time == "discrete":
+            x = rate(x, 0.0)
+        else:
+            steps = _steps(old, new, 2.0 * perron_root(system.a(point)))
+            h = (new.t - old.t) / steps
+            for i in range(steps):
+                k1 = rate(x, i / steps)
+                k2 = rate(x + 0.5 * h * k1, (i + 0.5) / steps)
+                k3 = rate(x + 0.5 * h * k2, (i + 0.5) / steps)
+                k4 = rate(x + h * k3, (i + 1.0) / steps)
+                x = x + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
+            point = new.schedule(x)
+        seen, f = ~np.isnan(new.y), system.f(point)
+        inverse = np.linalg.pinv(system.c[seen] @ f, rcond=SINGULAR)
+        return np.asarray(x + f @ inverse @ (new.y - system.c @ x)[seen], np.float64)
+
+    def _moved(
+        self, x: FloatArray, point: Point, sample: UnknownInputSample
+    ) -> tuple[FloatArray | None, FloatArray]:
+        """C (A x + b) and C F at a sample; ``None`` where the point lacks a variable of A."""
+        system = self.design.system
+        g = system.c @ system.f(point)
+        try:
+            return system.c @ (system.a(point) @ x + sample.known), g
+        except KeyError:  # of a system that gives T A, A may need more variables
+            return None, g
+
+    def _reconstructed(
+        self,
+        motion: tuple[FloatArray | None, FloatArray],
+        old: UnknownInputSample | None,
+        new: UnknownInputSample,
+    ) -> tuple[FloatArray, FloatArray]:
+        """The unknown input of the interval, from the known part of the outputs' motion at its ends."""
+        (known, g), (after, g_after) = self._motion, motion
+        if old is None or known is None or after is None:
+            none = np.full(g_after.shape[1], np.nan)
+            return none, none
+        if self.design.system.time == "continuous":
+            known, g = 0.5 * (known + after), 0.5 * (g + g_after)
+        return self.reconstruction.update(known, g, new.t - old.t, old.y, new.y)
+
+    def _checked(self, sample: UnknownInputSample) -> UnknownInputSample:
+        if not isinstance(sample, UnknownInputSample):
+            raise EventError(
+                "update needs an UnknownInputSample, with y=None where every output is missing, received "
+                f"{sample!r:.80}"
+            )
+        outputs, n = self.design.system.c.shape
+        y = np.full(outputs, np.nan) if sample.y is None else sample.y
+        if np.shape(y) != (outputs,) or np.isinf(y).any():
+            raise EventError(
+                f"y needs {outputs} finite numbers, NaN for a missing one, received {sample.y!r:.80}",
+                field="y",
+            )
+        if np.shape(sample.known) != (n,) or not np.isfinite(sample.known).all():
+            raise EventError(f"known needs {n} finite numbers, received {sample.known!r:.80}", field="known")
+        if not isfinite(sample.t):
+            raise EventError(f"t must be finite, received {sample.t!r}")
+        if self._last is not None and not sample.t > self._last.t:
+            raise EventOrderError(f"t must increase: received {sample.t!r} s after {self._last.t!r} s")
+        discrete = self.design.system.time == "discrete"
+        if self._last is not None and discrete and sample.t - self._last.t != 1.0:
+            raise EventError(
+                f"the sample at index {sample.t:g} comes after index {self._last.t:g}, a sample is one step: "
+                "give a sample without measurements, y=None, for each missing index, or reset the stage",
+                field="t",
+                value=sample.t,
+            )
+        y, known = np.asarray(y, np.float64), np.asarray(sample.known, np.float64)
+        return UnknownInputSample(sample.t, y, known, sample.schedule)
+
+
+def _steps(old: UnknownInputSample, new: UnknownInputSample, fastest: float) -> int:
+    """Steps of an integration that are short beside 1 / ``fastest``; raises EventError for too many."""
+    dt = new.t - old.t
+    if not dt * fastest <= STEPS_MOST:
+        raise EventError(
+            f"the sample at t = {new.t!r} comes {dt:g} s after the last one, the observer bridges at most "
+            f"{STEPS_MOST / fastest:g} s, {STEPS_MOST:.0e} steps: sample more often, or reset the stage",
+            field="t",
+            value=new.t,
+        )
+    return max(1, ceil(min(dt * fastest / SUBSTEP, STEPS_MOST)))
