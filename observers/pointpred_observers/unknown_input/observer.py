@@ -241,8 +241,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         ``noise`` and ``density`` as for ``InputReconstruction``: without them the unknown input is
         estimated over each interval by itself.
         """
-        begin = np.zeros(self.system.c.shape[1]) if start is None else start
-        return UnknownInputStage(self, begin, noise=noise, density=density)
+        return UnknownInputStage(self, start, noise=noise, density=density)
 
     def simulated(self, plant: Any, setting: Setting) -> Simulation:
         """A plant whose scheduling variables may depend on its state, and the observer."""

@@ -138,12 +138,12 @@ class UnknownInputStage:
     sample, a covariance, and the matrices at the vertices. Raises ParameterError; EventError and
     EventOrderError from ``update``, which leaves it unchanged.
 
-    >>> from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputObserver
+    >>> from pointpred_observers import Box, ParameterVaryingSystem, design
     >>> system = ParameterVaryingSystem(
     ...     lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
     ... )
-    >>> design = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), decay=0.5)
-    >>> running = design.stage([0.0, 1.0])
+    >>> observer = design(system, box=Box({"k": (-3.0, -1.0)}), decay=0.5)
+    >>> running = observer.stage([0.0, 1.0])
     >>> for i in range(101):
     ...     sample = UnknownInputSample(i / 100, np.array([7.0]), np.zeros(2), lambda x: {"k": -2.0})
     ...     estimate = running.update(sample)
