@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import sys
+from importlib import import_module
 from importlib.metadata import PackageNotFoundError, distribution
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
+from warnings import warn
 
 from pointpred.errors import MissingExtraError
 
@@ -47,6 +50,14 @@ def missing_extra(extra: str, why: str, *, of: str = OWN) -> MissingExtraError:
 def missing_distribution(name: str, why: str) -> MissingExtraError:
     """The error for a distribution that is not installed; ``why`` says what is in it."""
     return missing_extra("", f"{why} is in {name}, which is not installed", of=name)
+
+
+def moved_to_observers(old: str, new: str, name: str) -> Any:
+    """What ``name`` of a module is that is now ``new``, in the distribution pointpred-observers."""
+    if find_spec("pointpred_observers") is None:
+        raise missing_extra("", f"{old} has moved", of="pointpred-observers")
+    warn(f"{old} is {new} now", DeprecationWarning, stacklevel=3)
+    return getattr(import_module(new), name)
 
 
 def install_command(extra: str = "", *, of: str = OWN) -> str:

@@ -104,6 +104,8 @@ MAY_IMPORT = {
     "plugins": PIPELINE,
     "pointpred": {"records", "pipeline", "regions", "registry"},
     "__main__": {"cli"},
+    "observers": {"extras"},
+    "camera": {"extras"},
     "pointpred_server": PIPELINE
     | {
         *("console", "protocol", "simulation", "scoring", "recordings", "datasets", "recorder"),
@@ -120,6 +122,8 @@ MAY_IMPORT = {
 """What each layer may import beside itself; ``pointpred`` is the library's own ``__init__``.
 
 ``devices.hid`` and ``devices.surface`` stand apart from ``devices``: recordings are read by them, too.
+
+``observers`` and ``camera`` are the names of version 0.1, which load ``pointpred_observers`` when asked.
 """
 
 ROOMS_MAY_IMPORT = {
