@@ -193,13 +193,20 @@ def drawn(title: str, panels: Sequence[Panel], columns: int = 1) -> Iterator[Fig
 
 
 def _draw_panel(ax: Any, panel: Panel) -> None:
+    from matplotlib.ticker import LogLocator
+
     for line in panel.lines:
         ax.plot(line.x, line.y, label=line.label or None, **LOOKS[line.look])
     ax.set(xlabel=panel.x, ylabel=panel.y, title=panel.title)
     ax.grid(visible=True)
     if panel.logarithmic:
         ax.set_yscale("log")
-        ax.yaxis.set_major_formatter("{x:g}")  # powers would be drawn as formulas, which the style leaves out
+        # Powers would be drawn as formulas, which the style leaves out; within two decades 2 and 5 stand, too.
+        low, high = ax.get_ylim()
+        ax.yaxis.set_major_formatter("{x:g}")
+        ax.yaxis.set_minor_formatter("")
+        if high < 100.0 * low:
+            ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     if panel.limits is not None:
         ax.set_ylim(*panel.limits)
     labels = sum(bool(line.label) for line in panel.lines)
