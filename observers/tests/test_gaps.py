@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred_observers.inequalities import matrix_inequalities
 
 from pointpred_observers import invariant_observer
 from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.examples import UNMEASURED, academic, chua_circuits, two_masses
 from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.proofs import matrix_inequalities
 from pointpred_observers.proofs.affine import Affine
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.solver import Answer, run

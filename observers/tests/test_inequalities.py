@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from pointpred_observers.inequalities import matrix_inequalities
 from scipy.linalg import solve_continuous_lyapunov
 
 from observers.tests.solvers import solved_by
@@ -18,6 +17,7 @@ from pointpred.errors import (
     ParameterError,
     UndecidedError,
 )
+from pointpred_observers.proofs import matrix_inequalities
 from pointpred_observers.proofs.affine import Affine, largest_margin, reach, scaled
 from pointpred_observers.proofs.audit import Inequalities
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pointpred_observers.inequalities import matrix_inequalities
 
 from evidence.observers.designs import outcome
 from evidence.observers.plants import hiding
 from pointpred.errors import UndecidedError
 from pointpred_observers import Persidskii, invariant_observer
+from pointpred_observers.proofs import matrix_inequalities
 from pointpred_observers.proofs.solver import Answer
 from pointpred_observers.proofs.stationary import filter_start
 from pointpred_observers.reduced_order import design

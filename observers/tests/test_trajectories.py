@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from pointpred.errors import DivergenceError, ParameterError
-from pointpred_observers import trajectories, trajectory
+from pointpred_observers import trajectory
+from pointpred_observers.simulations import trajectories
 from pointpred_observers.simulations.trajectories import SeededSignal
 
 
