@@ -48,11 +48,6 @@ def test_the_motor_of_the_guide_is_the_one_that_is_written(command: Command) -> 
     assert encoded(motor) == encoded(decoded(block))
 
 
-@pytest.mark.parametrize("name", ["tank", "oven"])
-def test_linear_examples_carry_no_function(name: str) -> None:
-    assert "f" not in json.loads(encoded(EXAMPLES[name].plant()))
-
-
 def test_design_audit_and_simulate_from_files(command: Command, motor: Path, tmp_path: Path) -> None:
     audited = command("observers", "audit", motor, "--json", "-")
     numbers = json.loads(audited.out)
@@ -199,14 +194,6 @@ def test_an_option_that_would_be_ignored_is_refused(command: Command, motor: Pat
     refused(command, 2, "generator is no option of kind 'full'", "design", plant, *generator, "--force")
 
 
-def test_a_steady_state_of_another_symbol_is_refused(command: Command, tmp_path: Path) -> None:
-    for name in ("spring", "oscillator"):
-        command("observers", "example", name, "--out", tmp_path / f"{name}.json")
-    generator = (tmp_path / "oscillator.json", "--upper", "1")
-    words = "first may hold the generator's states w1, w2, received 'foo+1' with foo"
-    refused(command, 2, words, "design", tmp_path / "spring.json", *generator, "--first", "foo+1")
-
-
 def test_the_help_of_each_command_can_be_followed(command: Command) -> None:
     left = command("observers", "--help")
     assert left.code == 0
@@ -263,17 +250,6 @@ def test_no_command_replaces_what_it_reads(command: Command, tmp_path: Path) -> 
     assert not other.exists()
 
 
-def test_results_replace_no_plant_and_no_design_but_older_results(command: Command, tmp_path: Path) -> None:
-    plant, design, result = (tmp_path / name for name in ("tank.json", "design.json", "result.json"))
-    assert command("observers", "example", "tank", "--out", plant).code == 0
-    o.save(o.design(o.load(plant), "full", decay=0.1), design)
-    before = plant.read_bytes()
-    refused(command, 2, "--json", "audit", design, "--json", plant)
-    assert plant.read_bytes() == before
-    for _ in range(2):
-        assert command("observers", "audit", design, "--json", result, "--force").code == 0
-
-
 def test_what_is_written_takes_its_place_when_it_is_whole(
     command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -296,13 +272,3 @@ def test_what_is_written_takes_its_place_when_it_is_whole(
         command("observers", *arguments, "--force")
     assert {one: one.read_bytes() for one in held} == held
     assert sorted(one.name for one in tmp_path.iterdir()) == ["design.json", "tank.csv", "tank.json"]
-
-
-def test_a_plant_whose_slopes_have_no_bound_is_refused_with_its_file(
-    command: Command, tmp_path: Path
-) -> None:
-    plant = tmp_path / "spring.json"
-    o.save(o.Persidskii([[-1.0, 1.0], [0.0, -1.0]], [0.0, -1.0], [0.0, 1.0], "cube", C0=[1.0, 0.0]), plant)
-    words = f"{plant}: a design needs bounded slopes (give slopes and their domain)"
-    for kind in ("reduced", "full", "regulator"):
-        refused(command, 2, words, "design", plant, "--kind", kind)

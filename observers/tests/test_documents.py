@@ -133,11 +133,6 @@ def test_a_pi_that_overflows_proves_nothing() -> None:
         decoded(json.dumps(text))
 
 
-def test_a_full_order_observer_returns_the_state_once() -> None:
-    assert kept.design("full order").stage().update(0.0, None).shape == (2,)
-    assert kept.design("driven").stage().update(0.0, None).shape == (3,)
-
-
 def test_symbols_come_back_as_the_same_expressions() -> None:
     steady = kept.design("interlaced").steady
     for thing in (kept.SYMBOLIC, kept.CIRCLE, steady):
@@ -145,14 +140,6 @@ def test_symbols_come_back_as_the_same_expressions() -> None:
         assert encoded(again) == encoded(thing)
     again = decoded(encoded(steady))
     assert (again.maps, again.input, again.exact) == (steady.maps, steady.input, steady.exact)
-
-
-def test_linear_systems_of_other_libraries_are_saved_as_plants() -> None:
-    signal = pytest.importorskip("scipy.signal")
-    plant = decoded(
-        encoded(signal.StateSpace([[-1.0, 2.0], [0.0, -3.0]], [[0.0], [1.0]], [[1.0, 0.0]], [[0.0]]))
-    )
-    assert plant.A0.tolist() == [[-1.0, 2.0], [0.0, -3.0]]
 
 
 def test_an_observer_without_certificate_is_kept() -> None:
@@ -339,11 +326,6 @@ def test_nothing_is_replaced_by_half_a_file(tmp_path: Path) -> None:
     assert [one.name for one in tmp_path.iterdir()] == ["cart.json"]
 
 
-def test_a_plant_has_nothing_to_audit() -> None:
-    with pytest.raises(ParameterError, match="design with a certificate"):
-        o.audit(kept.CART)
-
-
 @pytest.mark.parametrize("name", [None, 5, "", "folder", "missing/cart.json"])
 def test_a_place_that_holds_no_file_is_refused(tmp_path: Path, monkeypatch: Any, name: Any) -> None:
     monkeypatch.chdir(tmp_path)
@@ -355,9 +337,3 @@ def test_a_place_that_holds_no_file_is_refused(tmp_path: Path, monkeypatch: Any,
     ) as wrong:
         o.load(name)
     assert wrong.value.field == "file"
-
-
-@pytest.mark.parametrize("thing", [None, "motor.json", kept.CART])
-def test_an_audit_needs_a_design(thing: Any) -> None:
-    with pytest.raises(ParameterError, match="an audit needs a design with a certificate, received"):
-        o.audit(thing)

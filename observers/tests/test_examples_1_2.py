@@ -17,8 +17,6 @@ from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.simulations import trajectories
 from pointpred_observers.thesis import residuals, theorem_3_2_1
 
-CHUA_GAIN = [[-0.34], [1.32], [5.35]]
-
 
 def largest(found: dict[str, Any]) -> float:
     return max(float(np.abs(one).max()) for one in found.values())

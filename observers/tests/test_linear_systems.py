@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy import signal
 
-from observers.tests.printed import check_map, check_observer
 from pointpred.errors import ParameterError
-from pointpred_observers import Generator, Persidskii, c2d, invariant_observer, steady_state_map
+from pointpred_observers import Generator, Persidskii, c2d, invariant_observer, steady_state_map, trajectory
+from pointpred_observers.files import decoded, encoded
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.interconnected.regulator import Regulator
 from pointpred_observers.interconnected.tracking import closed_loop
@@ -63,8 +62,6 @@ DOORS: dict[str, Callable[[Any], Any]] = {
     "design_regulator": lambda p: Regulator.design(p).regulator.S0,
     "regulator_equations": lambda p: regulator_equations(p, CIRCLE).Pi,
     "c2d": lambda p: c2d(p, 0.1).A0,
-    "check_map": lambda p: [[*check_map(p, CIRCLE, PI).values()]],
-    "check_observer": lambda p: [[*check_observer(p, [[0.0, 1.0]], [[-3.0]], {"O": [[1.0]]}).values()]],
     "beside": lambda p: CIRCLE.beside(p).L0,
 }
 
@@ -109,36 +106,6 @@ def test_systems_of_scipy() -> None:
         assert complex(inside[0, 0]) == pytest.approx(complex(response[0]))
 
 
-@pytest.mark.parametrize(
-    ("system", "message"),
-    [
-        (signal.StateSpace(A, B, C, [[1.0]]), "needs D = 0: subtract D u"),
-        (signal.TransferFunction([1.0, 0.0], [1.0, 1.0]), "needs D = 0"),
-        (
-            SimpleNamespace(A=np.zeros((0, 0)), B=np.zeros((0, 1)), C=np.zeros((1, 0)), D=[[0.0]]),
-            "A is empty",
-        ),
-        (SimpleNamespace(A=[[1.0, 2.0]], B=[[0.0]], C=[[1.0, 0.0]], D=[[0.0]]), "A0 has shape"),
-        (SimpleNamespace(A=[[1.0]], B=[[0.0]], C=[[1.0]], D=[[0.0, 0.0]]), "D has shape"),
-        (
-            signal.TransferFunction([1.0, 1.0, 1.0], [1.0, 1.0]),
-            "must have a state-space form, received a TransferFunction",
-        ),
-        *(
-            (SimpleNamespace(A=A, B=B, C=C, D=D, dt=dt), f"dt of a plant must be a number .* {dt!r}")
-            for dt in ("x", -1.0, np.nan, [0.1])
-        ),
-        ({"A": A}, "received dict"),
-        (None, "received NoneType"),
-    ],
-)
-def test_systems_that_are_no_plant(system: Any, message: str) -> None:
-    with pytest.raises(ParameterError, match=message):
-        as_plant(system)
-    with pytest.raises(ParameterError):
-        ReducedOrderObserver.design(system)
-
-
 def test_tracking_without_a_nonlinearity() -> None:
     certificate = certify_tracking(OWN, REGULATOR.regulator, REGULATOR.Pi)
     for values, a in (
@@ -153,15 +120,73 @@ def test_a_linear_plant_needs_no_f() -> None:
     assert (cart.k, cart.r, cart.field(0.0, [1.0, 2.0], u=3.0).tolist()) == (0, 0, [2.0, 1.0])
 
 
-@pytest.mark.parametrize(
-    ("wrong", "field", "words"),
-    [
-        ({"A0": []}, "A0", "A0 is empty: a plant needs at least one state"),
-        ({"A0": [[-1.0]], "A1": [1.0], "f": "sin"}, "H", "A1 needs H, .* 1 rows of 1 entries"),
-        ({"A0": [[-1.0]], "A1": [1.0], "H": [1.0]}, "f", "A1 needs f: a name"),
-    ],
-)
-def test_a_plant_that_lacks_a_part_is_refused_by_its_name(wrong: Any, field: str, words: str) -> None:
-    with pytest.raises(ParameterError, match=words) as refused:
-        Persidskii(**wrong)
-    assert refused.value.field == field
+A0 = np.array([[0.0, 1.0], [-2.0, -0.3]])
+
+
+PLANT = Persidskii(A0, [0.0, -0.5], [1.0, 0.0], "sin", [0.0, 1.0], [1.0, 0.0], [1.0, 0.0])
+
+
+def test_the_linear_part_is_that_of_scipy() -> None:
+    held = c2d(PLANT, 0.2)
+    drive = np.hstack([PLANT.A1, PLANT.B, PLANT.Q])
+    ad, bd, *_ = signal.cont2discrete((A0, drive, PLANT.C0, np.zeros((1, 3))), 0.2)
+    assert pytest.approx(ad, abs=1e-14) == held.A0
+    assert np.hstack([held.A1, held.B, held.Q]) == pytest.approx(bd, abs=1e-14)
+    assert (held.time, held.slopes, held.C0.tolist()) == ("discrete", PLANT.slopes, PLANT.C0.tolist())
+
+
+def test_a_linear_plant_under_held_inputs_is_exact() -> None:
+    plant = Persidskii(A0, None, None, "sin", [0.0, 1.0])
+    held, rng, x = c2d(plant, 0.3), np.random.default_rng(1), np.array([1.0, 0.0])
+    for k in range(8):
+        u = rng.normal(size=1)
+        true = trajectory(lambda t, one: plant.field(t, one, u), x, [0.0, 0.3])[-1]  # noqa: B023
+        x = held.field(k, x, u)
+        assert x == pytest.approx(true, abs=1e-9)
+
+
+@pytest.mark.parametrize("method", ["zoh", "euler"])
+def test_half_the_step_is_half_the_error(method: str) -> None:
+    true = trajectory(PLANT.field, [1.0, 0.0], [0.0, 2.0])[-1]
+    errors = []
+    for count in (100, 200, 400):
+        sampled = c2d(PLANT, 2.0 / count, method=method)
+        end = trajectory(sampled.field, [1.0, 0.0], np.arange(count + 1), time="discrete")[-1]
+        errors.append(np.abs(end - true).max())
+    assert np.array(errors[:-1]) / errors[1:] == pytest.approx(2.0, rel=0.05)
+
+
+def test_euler_keeps_the_steady_state_map() -> None:
+    plant = Persidskii(
+        [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], "tanh", [0.0, 1.0], None, [1.0, 0.0]
+    )
+    generator = Generator([[0.0]], [[0.0]], L0=[[4.0]], L1=[[1.0]])
+    pi = steady_state_map(plant, generator).Pi
+    left = residuals(c2d(plant, 0.1, method="euler"), c2d(generator, 0.1, method="euler"), pi)
+    assert max(np.abs(one).max() for one in left.values()) < 1e-14
+    assert steady_state_map(
+        c2d(plant, 0.1, method="euler"), c2d(generator, 0.1, method="euler")
+    ).Pi == pytest.approx(pi)
+
+
+def test_python_control_samples_alike() -> None:
+    control = pytest.importorskip("control", reason="python-control is a tool of the tests only")
+    system = control.ss(A0, [[0.0], [1.0]], [[1.0, 0.0]], [[0.0]])
+    other = control.c2d(system, 0.1, "zoh")
+    held = c2d(system, 0.1)
+    assert pytest.approx(other.A, abs=1e-12) == held.A0
+    assert pytest.approx(other.B, abs=1e-12) == held.B
+
+
+def test_a_generator_of_another_time_is_refused() -> None:
+    generator = Generator([[0.0]], [[0.0]], L0=[[4.0]], L1=[[1.0]])
+    sampled = c2d(generator, 0.1)
+    assert sampled.time == "discrete"
+    with pytest.raises(ParameterError, match="a continuous generator, received a discrete one"):
+        c2d(sampled, 0.1)
+    with pytest.raises(ParameterError, match="the generator is discrete and the plant continuous"):
+        steady_state_map(PLANT, sampled)
+    with pytest.raises(ParameterError, match="the generator is continuous and the plant discrete"):
+        steady_state_map(c2d(PLANT, 0.1), Generator([[0.0]], time="continuous"))
+    assert decoded(encoded(sampled)).time == "discrete"
+    assert decoded(encoded(generator)).time is None

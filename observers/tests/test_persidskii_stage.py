@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
-from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
+from pointpred.errors import DivergenceError, EventError, EventOrderError
 from pointpred_observers import trajectory
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.plants.nonlinearity import KNOWN, nonlinearity
@@ -214,22 +214,3 @@ def test_a_long_gap_begins_anew_and_equal_times_replace() -> None:
     assert lag.update(1.0, 8.0)[0] == 3.0
     replaced = lag.update(1.1, 8.0)[0]
     assert replaced == pytest.approx(3.0 * np.exp(-0.1) + 8.0 * (1.0 - np.exp(-0.1)))
-
-
-@pytest.mark.parametrize(
-    "wrong",
-    [
-        {"N": [[1.0, 2.0]]},
-        {"K": [[1.0], [1.0]]},
-        {"f": "sine"},
-        {"step_s": 0.0},
-        {"step_s": 1e-6, "gap_s": 1e6},
-        {"time": "sampled"},
-        {"start": [np.nan]},
-    ],
-)
-def test_stages_that_cannot_be(wrong: dict[str, Any]) -> None:
-    right: dict[str, Any] = {"N": [[-1.0]], "L": [[1.0]], "J": [[1.0]], "K": [[1.0]], "f": "sin"}
-    with pytest.raises(ParameterError) as refused:
-        PersidskiiStage(**{**right, **wrong})
-    assert refused.value.field == list(wrong)[-1]

@@ -9,12 +9,11 @@ from scipy import signal
 from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers import Persidskii, invariant_observer, trajectory
-from pointpred_observers.proofs.bounds import proved_bound
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
-from pointpred_observers.reduced_order.reversed_certificate import lipschitz, theorem_3_3_1, theorem_3_3_2
+from pointpred_observers.reduced_order.reversed_certificate import lipschitz
 from pointpred_observers.reduced_order.reversed_connection import Connection
 from pointpred_observers.simulations.trajectories import SeededSignal
-from pointpred_observers.thesis import certify_convergence
+from pointpred_observers.thesis import certify_convergence, theorem_3_3_1, theorem_3_3_2
 
 PI = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
 
@@ -29,15 +28,6 @@ def masses(domain: float = 2.0, time: str = "continuous") -> Persidskii:
     if time == "discrete":
         return Persidskii(np.eye(4) + 0.1 * a0, 0.1 * a1, h, "sin", C0=np.eye(2, 4), time=time)
     return Persidskii(a0, a1, h, "cube", C0=np.eye(2, 4), slopes=slopes, domain=domain)
-
-
-def test_the_printed_bound_lacks_a_factor() -> None:
-    """e' = -0.1 e - delta ends at 10 abs(delta), beyond the printed abs(delta) / sqrt(gamma)."""
-    s, gamma, xi = 0.1, 0.19, 0.005
-    assert -2.0 * s + xi + gamma < 0.0
-    steady = 1.0 / s
-    assert steady > 1.0 / np.sqrt(gamma)
-    assert proved_bound([[1.0]], 0.5 * xi, {"delta": 1.0 / gamma})(0.0, 0.0, delta=1.0) >= steady
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -235,3 +225,15 @@ def test_the_lipschitz_matrix_certifies_what_one_constant_does_not() -> None:
     assert min(theorem_3_3_2([one], [(-1.0, 1.0)]).solve().margins.values()) > 0.0
     with pytest.raises(InfeasibleError):
         theorem_3_3_2([one], gamma=2.0).solve()
+
+
+def test_a_printed_s0_is_audited_by_the_theorems_of_section_3_3() -> None:
+    printed = {"S0": [[-4.0]], "S1": [[1.0]], "J": [[1.0]]}
+    values = {"P": 1.0, "Xi": 1.0, "W": 1.0}
+    margins = theorem_3_3_1(printed, [(0.0, 1.0)], 1.0).check(values)
+    assert margins["the inequality"] == pytest.approx(8.0 - 1.0 - 1.0 - 2.0)
+    step = {"S0": [[0.5]], "S1": [[0.1]], "J": [[1.0]]}
+    found = theorem_3_3_2(step, [(-1.0, 1.0)]).solve().values
+    assert theorem_3_3_2(step, gamma=1.0).check(found)["P > 0"] > 0.0
+    with pytest.raises(ParameterError, match="J has 0 rows, needs 1"):
+        theorem_3_3_1({"S0": [[-4.0]], "S1": [[1.0]]}, [(0.0, 1.0)])

@@ -216,20 +216,6 @@ def test_what_cannot_be_is_named(given: dict[str, Any], kind: type, message: str
         invariant_observer(plant, **{"Pi": [[0.0, 1.0]], "Upsilon": [[-1.0]], **given})
 
 
-def test_an_output_that_f_reaches_ties_upsilon() -> None:
-    plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, 1.0], [0.0, 1.0], "sin", C0=[1.0, 0.0], C1=[[1.0]])
-    with pytest.raises(InfeasibleError, match="Upsilon C1 = 0 cannot hold: its residual is 2"):
-        invariant_observer(plant, [[0.0, 1.0]], [[-2.0]])
-    observer = invariant_observer(plant, [[0.0, 1.0]])
-    with pytest.raises(ParameterError, match="which needs C1 = 0"):
-        observer.estimate(0.0, [0.0], [0.0])
-    short = invariant_observer(
-        Persidskii(-np.eye(3), None, None, "sin", C0=[1.0, 0.0, 0.0]), [[0.0, 1.0, 0.0]]
-    )
-    with pytest.raises(ParameterError, match="w and y hold 2 combinations of the 3 states, not all"):
-        short.estimate(0.0, [0.0], [0.0])
-
-
 def test_a_state_is_recovered_beside_a_gain_in_which_the_rest_of_the_row_is_rounding() -> None:
     cart = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", None, None, [1.0, 0.0])
     observer = invariant_observer(cart, [[0.0, 1.0]], [[-1e12]])

@@ -14,7 +14,6 @@ import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from pointpred.errors import DivergenceError, EventError, ParameterError
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.simulations import trajectories
 
 pytest.importorskip("cvxpy")
 
@@ -350,19 +349,3 @@ def test_an_input_that_fails_is_named_with_its_time(given: Any, words: str) -> N
     with pytest.raises(ParameterError, match=words) as refused:
         o.simulate(kept.CART, kept.design("reduced order, linear"), times=TIMES, input=given)
     assert refused.value.field == "input"
-
-
-def test_a_figure_and_an_error_of_what_is_not_there_are_refused(tmp_path: Path) -> None:
-    result = o.simulate(kept.CART, kept.design("reduced order, linear"), times=TIMES)
-    for file in (tmp_path / "missing" / "cart.svg", "", 5):
-        with pytest.raises(ParameterError, match=r"its folder must exist|must be the path of a file"):
-            result.plot(file)
-    for after in ("0", None):
-        with pytest.raises(ParameterError, match="after must be a number, received"):
-            result.rmse(after=after)
-
-
-def test_a_start_beyond_every_bound_ends_without_a_warning(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(trajectories, "STANDING_MOST", 5000)
-    with pytest.raises(DivergenceError, match="stands still near t = 0: its numbers are too large"):
-        o.simulate(kept.CART, o.design(kept.CART, "reduced", decay=50.0), times=TIMES, start=[0.0, 1.7e308])

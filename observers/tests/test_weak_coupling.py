@@ -9,7 +9,6 @@ import pytest
 from scipy.linalg import expm, solve_continuous_are, solve_continuous_lyapunov
 
 import pointpred_observers as o
-from pointpred_observers.thesis import certify_convergence
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
@@ -149,10 +148,3 @@ def test_a_closed_loop_is_certified_in_the_users_units_where_these_are_better() 
     """In balanced units the overshoot is 45,000; it reaches at most 3.4."""
     found = o.certify_decay(closed(1e-3), decay=1.0)
     assert found.bound.overshoot < 4.0
-
-
-def test_a_refusal_says_in_which_units_it_is_proved() -> None:
-    plant = o.Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0])
-    observer = o.invariant_observer(plant, [[0.0, 1.0]], [[-3.0]])
-    with pytest.raises(ArithmeticError, match="in the units of the search, proved for P with a condition"):
-        certify_convergence(observer, decay=5.0)

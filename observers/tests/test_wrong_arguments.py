@@ -10,50 +10,24 @@ import numpy as np
 import pytest
 
 import pointpred_observers as o
-from observers.tests.printed import check_map, check_observer
+from observers.tests import kept_designs as kept
 from pointpred.errors import ParameterError, PointpredError
+from pointpred_observers import thesis
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.interconnected.regulator import Regulator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
-from pointpred_observers.thesis import (
-    assumption_3_2_2,
-    assumption_3_2_3,
-    assumption_4_4_2,
-    certify_convergence,
-    certify_tracking,
-    check_steady_state,
-    closed_loop,
-    design_state_feedback,
-    regulator_equations,
-    regulator_stage,
-    residuals,
-    sector_bounds,
-    theorem_3_2_1,
-    theorem_3_2_2,
-    theorem_3_2_3,
-    theorem_3_3_1,
-    theorem_3_3_2,
-    theorem_4_4_1,
-    undetectable,
-)
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
-sp = pytest.importorskip("sympy")
-X1, X2, U, W1, W2 = sp.symbols("x1 x2 u w1 w2")
-PLANT = o.Persidskii(
-    [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], "tanh", [0.0, 1.0], None, [1.0, 0.0]
-)
-GENERATOR = o.Generator([[0.0]], [[0.0]], L0=[[4.0]], L1=[[1.0]])
-PI = [[1.0], [2.0]]
+X1, X2, U, W1, W2, CIRCLE = kept.X1, kept.X2, kept.U, kept.W1, kept.W2, kept.CIRCLE
+PLANT, GENERATOR, PI = kept.DRIVEN, kept.CONSTANT, [[1.0], [2.0]]
 SMALL = o.Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
 TRACKED = o.Generator([[-3.0]], [-2.0], [[1.0]], [2.0], [0.0], [-1.0])
 SYSTEM = o.SymbolicSystem((X1, X2), (-X1 + X2**2, -X2 + U), U, outputs=(X2,))
-CIRCLE = o.SymbolicGenerator((W1, W2), (W2, -W1))
 STEADY = o.interlaced(SYSTEM, CIRCLE, 1, W1, degree=2)
 REDUCED = o.design(PLANT, "reduced")
 BOX = o.Box({"k": (-3.0, -1.0)})
@@ -64,6 +38,7 @@ ERRORS = REDUCED.error_system()
 REGULATED = {"plant": SMALL, "regulator": TRACKED, "Pi": [[1.0]]}
 CHAIN = o.SymbolicSystem((X1, X2), (X2, (2 + X1) * U), U)
 
+TURNING = np.column_stack([np.cos(np.arange(8.0)), np.sin(np.arange(8.0))])
 WRONG: list[Any] = [
     None,
     "text",
@@ -114,26 +89,26 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         o.steady_state_map,
         {"plant": PLANT, "generator": GENERATOR, "relaxed": False, "times": None, "tolerance": 1e-9},
     ),
-    (residuals, {"plant": PLANT, "generator": GENERATOR, "Pi": PI}),
+    (thesis.residuals, {"plant": PLANT, "generator": GENERATOR, "Pi": PI}),
     (
         DrivenObserver.design,
         {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "gain": [[2.0]], "decay": 1.0},
     ),
     (
-        theorem_3_2_1,
+        thesis.theorem_3_2_1,
         {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "F": None},
     ),
-    (theorem_3_2_2, REGULATED),
-    (theorem_3_2_3, {**REGULATED, "sector": None}),
-    (assumption_3_2_2, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "decay": 0.5}),
-    (assumption_3_2_3, REGULATED),
-    (assumption_4_4_2, {"steady": STEADY, "region": {X2: (-1, 1)}, "decay": 0.5}),
-    (certify_tracking, {**REGULATED, "sector": None, "tolerance": 1e-6}),
+    (thesis.theorem_3_2_2, REGULATED),
+    (thesis.theorem_3_2_3, {**REGULATED, "sector": None}),
+    (thesis.assumption_3_2_2, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "decay": 0.5}),
+    (thesis.assumption_3_2_3, REGULATED),
+    (thesis.assumption_4_4_2, {"steady": STEADY, "region": {X2: (-1, 1)}, "decay": 0.5}),
+    (thesis.certify_tracking, {**REGULATED, "sector": None, "tolerance": 1e-6}),
     (
-        closed_loop,
+        thesis.closed_loop,
         {"plant": SMALL, "regulator": TRACKED, "t": 0.0, "both": np.zeros(2), "rho": None},
     ),
-    (sector_bounds, {"plant": PLANT, "Sigma1": [[1.0, 0.0], [0.0, 0.0]]}),
+    (thesis.sector_bounds, {"plant": PLANT, "Sigma1": [[1.0, 0.0], [0.0, 0.0]]}),
     (
         ReducedOrderObserver.design,
         {"plant": PLANT, "Pi": [[0.0, 1.0]], "decay": 1.0},
@@ -143,15 +118,15 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         {"plant": PLANT, "Pi": [[0.0, 1.0]], "Upsilon": [[0.0]], "B": None, "injection": True, "rates": None},
     ),
     (REDUCED.stage, {"start": [0, 0], "step_s": 1e-2}),
-    (certify_convergence, {"observer": REDUCED.observer, "decay": 0.5, "gamma": 0.5, "times": [0.0]}),
+    (thesis.certify_convergence, {"observer": REDUCED.observer, "decay": 0.5, "gamma": 0.5, "times": [0.0]}),
     (
-        theorem_3_3_1,
+        thesis.theorem_3_3_1,
         {"observer": REDUCED.observer, "slopes": (0, 1), "gamma": 1.0, "F": None, "times": None},
     ),
-    (theorem_3_3_2, {"observer": REDUCED.observer, "slopes": (0, 1), "gamma": 1.0, "times": None}),
-    (theorem_4_4_1, {"a": [[0.0]], "c": [[1.0]]}),
+    (thesis.theorem_3_3_2, {"observer": REDUCED.observer, "slopes": (0, 1), "gamma": 1.0, "times": None}),
+    (thesis.theorem_4_4_1, {"a": [[0.0]], "c": [[1.0]]}),
     (certify_interlaced, {"a": [[0.0]], "c": [[1.0]], "decay": 0.5, "gain": [[1.0]]}),
-    (undetectable, {"A": [[0.0]], "C": [[1.0]], "time": "continuous"}),
+    (thesis.undetectable, {"A": [[0.0]], "C": [[1.0]], "time": "continuous"}),
     (o.invariant_zeros, {"a": np.eye(2), "f": np.eye(2, 1), "c": np.eye(1, 2)}),
     (o.invariant_zeros, {"a": VARYING, "f": BOX}),
     (o.Box, {"bounds": {"k": (0.0, 1.0)}}),
@@ -190,13 +165,8 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         InterlacedObserver.design,
         {"plant": STEADY, "decay": 0.3, "gain": [[1.0], [0.0]], "start": [0, 0], "gap_s": 1.0},
     ),
-    (check_map, {"plant": PLANT, "generator": GENERATOR, "Pi": PI, "rounding": 0.1}),
     (
-        check_observer,
-        {"plant": PLANT, "Pi": [[0.0, 1.0]], "Upsilon": [[0.0]], "printed": {"O": [[1.0]]}, "rounding": 0.1},
-    ),
-    (
-        check_steady_state,
+        thesis.check_steady_state,
         {
             "system": SYSTEM,
             "generator": CIRCLE,
@@ -210,7 +180,7 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (as_plant, {"system": PLANT}),
     (o.l2_gain, {"system": ERRORS}),
     (o.certify_decay, {"system": ERRORS, "decay": 0.5}),
-    (design_state_feedback, {"plant": PLANT, "decay": 1.0, "L1": [[0.0]]}),
+    (thesis.design_state_feedback, {"plant": PLANT, "decay": 1.0, "L1": [[0.0]]}),
     (
         Regulator.design,
         {
@@ -222,13 +192,16 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
             "following": None,
         },
     ),
-    (regulator_equations, {"plant": PLANT, "generator": GENERATOR, "following": ([[1.0, 0.0]], [[1.0]])}),
+    (
+        thesis.regulator_equations,
+        {"plant": PLANT, "generator": GENERATOR, "following": ([[1.0, 0.0]], [[1.0]])},
+    ),
     (
         o.stage,
         {"observer": o.design(PLANT, "driven", generator=GENERATOR, Pi=PI, decay=0.0), "step_s": 0.1},
     ),
     (o.design, {"plant": PLANT, "kind": "full", "decay": 1.0}),
-    (regulator_stage, {"plant": SMALL, "regulator": TRACKED, "start": [0]}),
+    (thesis.regulator_stage, {"plant": SMALL, "regulator": TRACKED, "start": [0]}),
     (
         PersidskiiStage,
         {
@@ -262,12 +235,35 @@ DOORS: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (FullOrderObserver.design, {"plant": PLANT, "decay": 1.0, "gain": [[3.0], [0.0]]}),
     (o.CornerSystem, {"box": BOX, "A": [[-1.0]], "F": [[1.0]], "C": [[1.0]], "rates": {}, "sizes": [1.0]}),
     (o.audit, {"observer": REDUCED}),
+    (o.GradientRegressor, {"count": 2, "outputs": 1, "gain": 1.0, "time": "discrete", "start": [0.0, 0.0]}),
+    (o.NonlinearRegressor, {"count": 2, "gain": 1.0, "start": [0.0, 0.0]}),
+    (o.RecursiveLeastSquares, {"count": 2, "ridge": 1.0, "start": [0.0, 0.0]}),
+    (o.persistent_excitation, {"t": [0.0, 1.0], "signal": np.eye(2), "window": 0.5}),
+    (
+        thesis.regression_margin,
+        {"t": np.arange(8.0), "regressor": TURNING, "weight": np.zeros(8), "gain": 1.0},
+    ),
+    (
+        o.ErrorSystem,
+        {
+            "A": [[[-3.0]]],
+            "B": [[[1.0]]],
+            "C": [[1.0]],
+            "names": [""],
+            "disturbances": {"d": 1},
+            "time": "continuous",
+        },
+    ),
 ]
 
 
 SLOW = {
-    *(ReducedOrderObserver.design, Regulator.design, design_state_feedback, certify_convergence),
-    *(assumption_4_4_2, InterlacedObserver.design),
+    ReducedOrderObserver.design,
+    Regulator.design,
+    InterlacedObserver.design,
+    thesis.design_state_feedback,
+    thesis.certify_convergence,
+    thesis.assumption_4_4_2,
 }
 """Doors that take more than a second for all their arguments."""
 CASES = [

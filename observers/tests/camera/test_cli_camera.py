@@ -99,12 +99,6 @@ def test_gravity_is_removed(simulated: Path, command: Callable, given: str) -> N
         assert "up" in command("camera", "run", felt, *FOCAL, "--up", wrong).err
 
 
-def test_json_on_stdout_is_all_there_is(simulated: Path, command: Callable) -> None:
-    left = command("camera", "run", simulated, *FOCAL, "--json", "-")
-    assert json.loads(left.out)["version"] == 1
-    assert json.loads(left.out)["rmse"] is None
-
-
 def test_images_are_followed(tmp_path: Path, command: Callable) -> None:
     cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
     from observers.tests.camera.rendering import render
@@ -218,21 +212,3 @@ def test_simulate_replaces_nothing_unasked(simulated: Path, command: Callable) -
     assert command("camera", "simulate", *FOCAL, "--out", simulated, "--force", "--seconds", "1").code == 0
     assert "SCENARIO must be one of" in command("camera", "simulate", "x", *FOCAL).err
     assert "Missing option" in command("camera", "simulate").err
-
-
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
-        (("--seed", "-1"), "--seed must be at least 0, received '-1'"),
-        (("--seconds", "1e6"), "at most 1e+07 samples can be simulated, received 1e+06 s x 33 images/s"),
-        (("--seconds", "0"), "duration_s must lie in (0, 1e6]"),
-    ],
-)
-def test_what_cannot_be_simulated_is_told_in_a_line(
-    tmp_path: Path, command: Callable, change: tuple[str, ...], said: str
-) -> None:
-    left = command("camera", "simulate", *FOCAL, "--out", tmp_path / "c.csv", *change)
-    assert left.code == 2
-    assert said in left.err
-    assert left.err.count("\n") == 1
-    assert not list(tmp_path.iterdir())

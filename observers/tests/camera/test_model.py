@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from evidence.observers import printed
-from pointpred.errors import ParameterError
 from pointpred_observers.camera import SCENARIOS, model
 from pointpred_observers.camera.scenario import Trajectory, trajectory
 
@@ -83,11 +82,3 @@ def test_t_a_needs_seven_variables_only() -> None:
         point = {"x": x, "y": y, "w_x": w_x, "w_y": w_y, "eta": eta, "a_z": a_z}
         point["zero"] = y * w_x - x * w_y + eta
         assert np.abs(system.t(point) @ system.a(point) - system.ta(point)).max() < 1e-15
-
-
-def test_box_names_a_bound_that_is_no_pair() -> None:
-    still = (0.0, 0.0)
-    with pytest.raises(ParameterError, match="eta and turn need"):
-        model.camera_box(-0.3, turn=still, a_z=still, w=still, dw=still)  # type: ignore[arg-type]
-    with pytest.raises(ParameterError, match="a_z needs low <= high"):
-        model.camera_box((-0.3, -0.1), turn=still, a_z=(0.1, -0.1), w=still, dw=still)

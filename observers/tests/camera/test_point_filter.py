@@ -182,10 +182,3 @@ def test_an_image_is_the_matrix_update_of_both_coordinates_at_once(seed: int) ->
     expected = state + gain @ (seen - state[:2] / z)
     np.testing.assert_allclose(memory.state.state, expected, rtol=1e-10, atol=1e-12)
     np.testing.assert_allclose(memory.state.spread.m, (np.eye(6) - gain @ h) @ p, rtol=1e-8, atol=1e-12)
-
-
-def test_the_memory_of_a_filter_without_samples_is_all_zero_after_its_parameters() -> None:
-    memory = point_filter.Memory(PointFilter(focal_px=800.0).__dict__["_memory"])
-    settings = memory.settings
-    assert (memory.state.memory == 0.0).all()
-    assert min(settings.focal_px, settings.noise, settings.share, settings.gap_s) > 0.0
