@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import pickle
-import subprocess
-import sys
 from typing import Any
 
 import numpy as np
@@ -123,35 +120,6 @@ def test_named_nonlinearities_are_what_their_names_say(name: str) -> None:
     slopes = np.diff(found) / np.diff(s)
     assert KNOWN[name].low - 1e-9 <= slopes.min()
     assert slopes.max() <= KNOWN[name].high + 1e-9
-
-
-PLAIN = """
-import numpy as np
-from pointpred_observers.thesis import PersidskiiStage
-for time in ("continuous", "discrete"):
-    stage = PersidskiiStage(
-        [[-1.0, 2.0], [-2.0, -1.0]], np.ones((2, 5)), np.arange(10.0).reshape(5, 2) / 10.0, [1.0, 0.0],
-        ["sin", "tanh", "atan", "saturation", "identity"], R1=np.ones((2, 5)), start=[0.1, -0.2], time=time,
-    )
-    steps = 0.01 + 0.02 * (np.arange(40) % 3) if time == "continuous" else np.ones(40)
-    rows = np.column_stack([np.cumsum(steps), np.sin(np.arange(40.0))])
-    for row in stage.walk(np.arange(40) == 20, rows):
-        print(*(value.hex() for value in row))
-"""
-
-
-@pytest.mark.skipif(os.environ.get("POINTPRED_COMPILED") == "0", reason="nothing is compiled here")
-def test_plain_python_says_the_same() -> None:
-    told = []
-    for compiled in ("0", "1"):
-        environment = {**os.environ, "POINTPRED_COMPILED": compiled, "PYTHONWARNINGS": "error"}
-        done = subprocess.run([sys.executable, "-c", PLAIN], env=environment, capture_output=True, text=True)
-        assert done.returncode == 0, done.stderr
-        told.append(
-            np.array([[float.fromhex(word) for word in line.split()] for line in done.stdout.splitlines()])
-        )
-    assert told[0].shape == (80, 2)
-    assert np.allclose(*told, rtol=1e-12, atol=1e-12)
 
 
 @given(st.integers(0, 2**31), st.integers(1, 11))

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import pickle
-import subprocess
-import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,7 +21,6 @@ from pointpred_observers.camera import (
     simulate,
 )
 from pointpred_observers.camera.point_filter import PointTrack
-from pointpred_observers.camera.velocity import UnknownInputFilter
 
 FOCAL = 800.0
 
@@ -102,42 +97,6 @@ def numbers(found: Any) -> Any:
     if isinstance(found, PointTrack):
         return np.hstack([found.state, found.covariance.reshape(-1, 36)])
     return found.table
-
-
-SCRIPT = """
-import sys
-import numpy as np
-from pointpred_observers.camera import *
-from pointpred_observers.camera.velocity import UnknownInputFilter
-import pointpred.compiled
-assert not pointpred.compiled.COMPILED
-samples = CameraColumns(np.load(sys.argv[1]))
-depth = DepthObserver(focal_px=800.0, start_chi=4.0, start_eta=-1.6).run(samples)
-track = PointFilter(focal_px=800.0, noise_px=1.0, gyro_noise=1e-4, accel_noise=1e-3).run(samples)
-d = UnknownInputFilter(focal_px=800.0).run(samples, depth.eta)
-motion = Gravity(up=(0.1, -1.0, 0.0)).run(samples).table
-np.savez(sys.argv[2], motion=motion, depth=depth.table, state=track.state, covariance=track.covariance, d=d)
-"""
-
-
-def test_compiled_laws_agree_with_plain_python(tmp_path: Path) -> None:
-    noise = Noise(noise_px=1.5, dropped=0.2)
-    samples, _ = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=3.0, noise=noise)
-    np.save(tmp_path / "rows.npy", samples.table)
-    environment = {**os.environ, "POINTPRED_COMPILED": "0", "PYTHONWARNINGS": "error"}
-    command = [sys.executable, "-c", SCRIPT, str(tmp_path / "rows.npy"), str(tmp_path / "out.npz")]
-    subprocess.run(command, check=True, env=environment, cwd=tmp_path)
-    depth = observer().run(samples)
-    track = PointFilter(focal_px=FOCAL, noise_px=1.0, gyro_noise=1e-4, accel_noise=1e-3).run(samples)
-    assert track.running.any()
-    with np.load(tmp_path / "out.npz") as plain:
-        np.testing.assert_allclose(depth.table, plain["depth"], rtol=1e-12, atol=1e-12)
-        np.testing.assert_allclose(track.state, plain["state"], rtol=1e-7, atol=1e-9)
-        np.testing.assert_allclose(track.covariance, plain["covariance"], rtol=1e-6, atol=1e-12)
-        motion = Gravity(up=(0.1, -1.0, 0.0)).run(samples).table
-        np.testing.assert_allclose(motion, plain["motion"], rtol=1e-12, atol=1e-12)
-        d = UnknownInputFilter(focal_px=FOCAL).run(samples, depth.eta)
-        np.testing.assert_allclose(d, plain["d"], rtol=1e-10, atol=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(4))
