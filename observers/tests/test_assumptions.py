@@ -17,10 +17,9 @@ from pointpred_observers import (
     SymbolicSystem,
     c2d,
     interlaced,
-    steady_state_map,
     trajectory,
 )
-from pointpred_observers.examples import academic, chua_circuits
+from pointpred_observers.examples import academic
 from pointpred_observers.interconnected.assumptions import joined
 from pointpred_observers.thesis import (
     assumption_1_3_1,
@@ -224,24 +223,6 @@ def test_the_residual_of_a_truncated_steady_state_is_a_disturbance(force: Any, d
     assert errors.max() > 1e-3
     assert (errors <= [found.bound(float(t), 0.0) for t in times]).all()
     assert found.bound.rest == found.residual * found.bound.gains[0]
-
-
-def test_the_output_must_show_the_generator() -> None:
-    x = sp.Symbol("x")
-    system = SymbolicSystem((x,), (-x + U,), U, outputs=(x - W2 * 0,))
-    steady = interlaced(system, OSCILLATOR, 0, W1)
-    assert assumption_4_4_2(steady).C.tolist() == [[1.0, 0.0]]
-    three = sp.Symbol("w3")
-    wider = SymbolicGenerator((W1, W2, three), (W2, -W1, 0))
-    with pytest.raises(InfeasibleError, match=r"\(A, C\) is not detectable: the mode of the eigenvalue 0"):
-        assumption_4_4_2(interlaced(system, wider, 0, W1))
-
-
-def test_the_circuits_of_example_4_are_not_contracting_where_they_oscillate() -> None:
-    plant, generator = chua_circuits(1.0)
-    assert steady_state_map(plant, generator).Pi == pytest.approx(np.eye(3), abs=1e-9)
-    found = assumption_3_2_2(plant, generator)
-    assert found.bound.decay > 0.0
 
 
 OVEN = Persidskii([[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], "tanh", [0.0, 1.0], None, [1.0, 0.0])

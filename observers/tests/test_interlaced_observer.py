@@ -24,7 +24,6 @@ from pointpred_observers.triangular.interlaced_observer import (
     InterlacedCertificate,
     InterlacedEstimate,
     InterlacedObserver,
-    InterlacedStage,
     certify,
     theorem_4_4_1,
 )
@@ -210,21 +209,6 @@ def test_over_gaps_and_without_outputs_the_generator_runs_alone(observer: Interl
     assert stage.update(5.0, 13.2).w == pytest.approx(expm(A * 3.2) @ start, abs=1e-9)
     assert stage.update(5.0, 13.3).w != pytest.approx(expm(A * 3.3) @ start, abs=1e-3)
     assert stage.update(5.0, 1e5).w == (1.0, 0.5)
-
-
-def test_samples_far_apart_are_followed_without_a_gap_of_ones_own(observer: InterlacedObserver) -> None:
-    stage = InterlacedStage(observer, [0.0, 0.0])
-    for k in range(12):
-        estimate = stage.update(np.cos(2.0 * k), 2.0 * k)
-        alone = observer.stage().update(np.cos(2.0 * k), 2.0 * k)
-    assert np.abs(estimate.w).max() > 0.1
-    assert alone.w == (0.0, 0.0)
-    kept = pickle.dumps(stage)
-    with pytest.raises(EventError, match="sample more often, or give gap_s"):
-        stage.update(1.0, 1e5)
-    with pytest.raises(EventError, match="sample more often, or give gap_s"):
-        stage.walk(np.zeros(1, np.bool_), np.array([[1e5, 1.0]]))
-    assert pickle.dumps(stage) == kept
 
 
 def test_what_cannot_be_taken_in_changes_nothing(observer: InterlacedObserver) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pickle
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,6 @@ from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.plants.nonlinearity import nonlinearity
-from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import regulator_stage
 
 
@@ -71,31 +69,6 @@ def test_the_plain_law_is_the_compiled_one(seed: int, time: str) -> None:
     assert np.allclose(found, named.walk(begin, rows), rtol=1e-9, atol=1e-9)
 
 
-def test_varying_matrices_follow_their_differential_equation() -> None:
-    def n(t: float) -> Any:
-        return np.array([[-1.0 + np.sin(t), 2.0], [-2.0, -1.0 - 0.5 * np.cos(3.0 * t)]])
-
-    def k(t: float) -> Any:
-        return np.array([[np.cos(t)], [1.0]])
-
-    stage = PersidskiiStage(
-        n, [[0.0], [1.0]], lambda t: [[1.0, t]], k, "sin", R0=lambda t: [[t, 1.0]], start=[1.0, -1.0]
-    )
-    times = np.array([0.0, 0.1, 0.15, 0.6, 1.4])
-    inputs = np.array([1.0, -1.0, 2.0, 0.5, 0.0])
-    found = [float(stage.update(t, one)[0]) for t, one in zip(times, inputs, strict=True)]
-
-    def field(t: float, w: Any) -> Any:
-        change = n(t) @ w + k(t)[:, 0] * np.interp(t, times, inputs)
-        return change + np.array([0.0, np.sin(w[0] + t * w[1])])
-
-    w, wanted = np.array([1.0, -1.0]), [-1.0]
-    for i in range(1, 5):
-        w = exactly(field, w, (times[i - 1], times[i]))
-        wanted.append(float(times[i] * w[0] + w[1]))
-    assert found == pytest.approx(wanted, abs=1e-7)
-
-
 def test_an_f_of_several_arguments() -> None:
     """Predators and prey: the product of two states, which no name has."""
     stage = PersidskiiStage(
@@ -109,36 +82,6 @@ def test_an_f_of_several_arguments() -> None:
     stage.update(0.0)
     wanted = exactly(lambda t, x: [x[0] - x[0] * x[1], x[0] * x[1] - x[1]], [2.0, 1.0], (0.0, 0.9))
     assert stage.update(0.9) == pytest.approx(wanted, abs=1e-7)
-
-
-def test_a_discrete_stage_takes_the_matrices_of_its_index() -> None:
-    stage = PersidskiiStage(lambda k: [[1.0 + k]], None, None, [[1.0]], "sin", start=[1.0], time="discrete")
-    found = [float(stage.update(k, 10.0)[0]) for k in range(4)]
-    assert found == [1.0, 11.0, 32.0, 106.0]  # w+ = (1 + k) w + 10
-
-
-def test_plain_stages_keep_the_laws_of_stages() -> None:
-    def stage() -> PersidskiiStage:
-        return PersidskiiStage(varying, [[1.0]], [[1.0]], [[1.0, 2.0]], np.tanh, start=[0.5])
-
-    rng = np.random.default_rng(4)
-    rows = np.column_stack([np.cumsum(rng.uniform(0.01, 0.2, 20)), rng.normal(size=(20, 2))])
-    rows[7, 1] = np.nan
-    begin = np.zeros(20, np.bool_)
-    whole = stage().walk(begin, rows)
-    one_by_one, parts = stage(), stage()
-    for i, row in enumerate(rows):
-        assert np.array_equal(one_by_one.update(row[0], row[1:]), whole[i])
-    head = parts.walk(begin[:9], rows[:9])
-    tail = pickle.loads(pickle.dumps(parts)).walk(begin[9:], rows[9:])
-    assert np.array_equal(np.concatenate([head, tail]), whole)
-    assert np.array_equal(one_by_one.fresh().walk(begin, rows), whole)
-    one_by_one.reset()
-    assert np.array_equal(one_by_one.walk(begin, rows), whole)
-
-
-def varying(t: float) -> Any:
-    return [[-1.0 - 0.5 * np.sin(t)]]
 
 
 def test_an_observer_of_varying_matrices_runs_as_it_is_designed() -> None:
@@ -188,24 +131,6 @@ def test_a_discrete_observer_of_varying_matrices_runs() -> None:
         inputs = [x[0] if k not in (5, 6, 9) else np.nan, np.cos(k)]
         assert stage.update(k, inputs) == pytest.approx(x, abs=1e-12)
         x = plant.field(k, x, [np.cos(k)])
-
-
-def test_designs_for_a_function_run_like_those_for_its_name() -> None:
-    def plant(f: Any) -> Persidskii:
-        return Persidskii(
-            [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], f, [0.0, 1.0], None, [1.0, 0.0],
-            slopes=(0.0, 1.0),
-        )  # fmt: skip
-
-    generator = Generator([[0.0]], [[0.0]], L0=[[4.0]], L1=[[1.0]])
-    found = []
-    for f in ("tanh", np.tanh):
-        stage = DrivenObserver.design(plant(f), generator=generator, Pi=[[1.0], [2.0]], decay=1.0).stage()
-        reduced = ReducedOrderObserver.design(plant(f), Pi=[[0.0, 1.0]]).observer.stage()
-        found.append(
-            [[*stage.update(i / 20, np.sin(i)), *reduced.update(i / 20, [np.sin(i), 1.0])] for i in range(30)]
-        )
-    assert np.allclose(found[0], found[1], rtol=1e-6, atol=1e-7)
 
 
 @pytest.mark.parametrize("pole", [-300.0, -3e4])

@@ -212,17 +212,9 @@ def test_a_table_gives_what_single_samples_give(name: str) -> None:
         ("gradient", ([1.0], 1.0, 2.0), EventError, "regressor"),
         ("gradient", ([1.0, 2.0], [1.0, 2.0], 2.0), EventError, "output"),
         ("gradient", ([1.0, np.nan], 1.0, 2.0), EventError, "regressor"),
-        ("gradient", (["a", 1.0], 1.0, 2.0), EventError, "regressor"),
         ("gradient", ([1.0, 2.0], 1.0, 1.0), EventOrderError, "t"),
-        ("gradient", ([1.0, 2.0], 1.0, np.inf), EventError, "t"),
-        ("gradient", ([1.0, 2.0], 1.0, None), EventError, "t"),
-        ("nonlinear", ([1.0], 0.5, 1.0, 99.0), EventError, "regressor"),
-        *(
-            ("nonlinear", ([1.0, 1.0], weight, 1.0, 99.0), EventError, "weight")
-            for weight in (1.5, np.nan, "half")
-        ),
+        ("nonlinear", ([1.0, 1.0], 1.5, 1.0, 99.0), EventError, "weight"),
         ("nonlinear", ([1.0, 1.0], 0.5, 1.0, 0.0), EventOrderError, "t"),
-        ("nonlinear", ([1.0, 1.0], 0.5, 1.0, None), EventError, "t"),
         ("nonlinear", ([1.0, 1.0], 0.5, 1.0, 1e9), EventError, "t"),
         ("nonlinear", ([1.0, 1e200], 0.5, 1.0, 99.0), EventError, "t"),
     ],

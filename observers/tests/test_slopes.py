@@ -10,7 +10,6 @@ import pytest
 from pointpred.errors import ParameterError
 from pointpred_observers import Persidskii
 from pointpred_observers.files import decoded, encoded
-from pointpred_observers.interconnected.design import FullOrderObserver
 from pointpred_observers.plants.nonlinearity import KNOWN, true_slopes, value
 
 
@@ -24,11 +23,7 @@ NARROW = [
     ("cube", [[0.0, 0.5]], 1.0, "between 0 and 3"),
     ("tanh", (0.5, 0.6), 0.5, "between 0.786448 and 1"),
     ("tanh", (0.9, 1.0), np.inf, "everywhere: its slopes there lie between 0 and 1"),
-    ("tanh", 5.0, np.inf, "received \\(5, 5\\) for component 0"),
-    ("sin", (0.0, 0.1), 0.5, "between 0.877583 and 1"),
     ("saturation", (0.0, 0.5), np.inf, "between 0 and 1"),
-    ("identity", (0.0, 0.5), 2.0, "between 1 and 1"),
-    ("atan", (0.6, 1.0), 1.0, "between 0.5 and 1"),
     ("cube", (0.0, 3.0), np.inf, "between 0 and inf"),
 ]
 
@@ -59,11 +54,8 @@ WRONG = [
     (np.tanh, (0.9, 1.0), 1.0, "within 1: between -1"),
     (lambda s: s**3, (0.0, 3.0), 2.0, "rises by"),
     (lambda s: 1.0 / s, (-1.0, 1.0), 1.0, "at arguments of 0 it returns"),
-    (lambda s: "fast", (0.0, 1.0), 1.0, "1 finite numbers"),
     (lambda s: 1j * s, (0.0, 1.0), 1.0, "complex"),
-    (lambda s: 0.5, (0.0, 1.0), 1.0, r"the shape \(\), need \(1,\)"),
     (lambda s: np.zeros(3), None, 1.0, r"the shape \(3,\), need \(1,\)"),
-    (lambda s: s[4], (0.0, 1.0), 1.0, "it fails"),
 ]
 
 
@@ -113,7 +105,6 @@ MIXED = [
     (lambda s: s[::-1], (1.0, 1.0), 1e-9, "as argument 0 moves from"),
     (rotation, (0.0, 1.1), np.inf, "component 0 may depend upon argument 0 only"),
     (lambda s: s * np.array([1.0, np.cos(s[0] * s[1] - s[1] ** 2)]), (-9.0, 9.0), 1.0, "component 1 may"),
-    (lambda s: s.mean() * np.array([1.0, 1e12]), (0.0, 1e13), 2.0, "component 0|component 1"),
 ]
 
 
@@ -141,16 +132,6 @@ def test_a_function_with_slopes_is_called_within_its_domain_only_and_seldom() ->
     assert len(seen) < 200
 
 
-@pytest.mark.parametrize(("k", "f"), [(1, lambda s: s[:1] * s[1:]), (3, lambda s: np.full(3, s.sum()))])
-def test_slopes_need_as_many_arguments_as_components(k: int, f: Any) -> None:
-    def made(slopes: Any) -> Persidskii:
-        return Persidskii(-np.eye(2), np.ones((2, k)), np.eye(2), f, C0=[1.0, 0.0], slopes=slopes)
-
-    with pytest.raises(ParameterError, match=f"{k} components .* and 2 arguments") as wrong:
-        made((0.0, 1.0))
-    assert wrong.value.field == "slopes"
-    with pytest.raises(ParameterError, match="a design needs slopes"):
-        FullOrderObserver.design(made(None))
-    one = plant("tanh", None)
-    with pytest.raises(ParameterError, match="f has 1 components, needs 2"):
-        Persidskii(-np.eye(2), np.eye(2), np.eye(2), one.f)
+def test_slopes_need_as_many_arguments_as_components() -> None:
+    with pytest.raises(ParameterError, match=r"3 components .* and 2 arguments"):
+        Persidskii(-np.eye(2), np.ones((2, 3)), np.eye(2), lambda s: np.full(3, s.sum()), slopes=(0.0, 1.0))

@@ -11,14 +11,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from evidence.observers.designs import outcome
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError, PointpredError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers import Generator, Persidskii, trajectory
 from pointpred_observers.interconnected.regulated import Followed, Regulated, growing_mode, quadrant
 from pointpred_observers.interconnected.tracking import closed_loop
 from pointpred_observers.thesis import (
     SectorBounds,
     certify_tracking,
-    regulator_stage,
     sector_bounds,
     theorem_3_2_2,
     theorem_3_2_3,
@@ -120,26 +119,6 @@ def test_the_blocks_are_what_the_derivative_of_the_lyapunov_function_needs(seed:
         assert np.allclose(second.blocks[name](v), -expected), name
 
 
-def test_the_regulator_as_a_stage_closes_the_loop() -> None:
-    plant, regulator = pendulum(1)
-    stage = regulator_stage(plant, regulator, start=[0.5, -0.5], step_s=1e-3)
-    h = 2e-3
-
-    def reference(t: float) -> Any:
-        return [np.sin(2.0 * t)]
-
-    x, times = np.array([1.0, 1.0]), np.arange(0.0, 4.0, h)
-    for t in times:
-        u = stage.update(t, [*plant.output(t, x), *reference(t)])
-        x = trajectory(lambda s, one: plant.field(s, one, u, reference(s)), x, [t, t + h], step_s=h)[-1]  # noqa: B023
-    exact = trajectory(
-        lambda t, one: closed_loop(plant, regulator, t, one, rho=reference(t)),
-        [1.0, 1.0, 0.5, -0.5],
-        [0.0, 4.0],
-    )[-1]  # fmt: skip
-    assert np.abs(x - exact[:2]).max() < 5e-3  # the input is held for h: of first order in h
-
-
 def test_constants_of_the_sector() -> None:
     plant, _ = pendulum(3)
     found = sector_bounds(plant)
@@ -220,27 +199,6 @@ def test_a_motion_that_grows_violates_assumption_3_2_6_for_all_matrices(seed: in
         values["Xi"] = definite(random, n) + first * one.sector.Sigma1 + second * one.sector.Psi1
         phi = one.inequalities().blocks["Phi"](SimpleNamespace(gamma1=first, gamma2=second, **values))
         assert form(phi, vector) > 0.0
-
-
-@pytest.mark.parametrize("seed", [1, 4, 5, 7])
-def test_what_has_matrices_has_no_motion_that_grows(seed: int) -> None:
-    random = np.random.default_rng(seed)
-    n, k = SIZES
-    stable = random.normal(size=(n, n)) - 2.5 * np.eye(n)
-    for one in (
-        Regulated(stable, -random.normal(size=(n, k)), random.normal(size=(k, n))),
-        Followed(
-            stable,
-            0.5 * random.normal(size=(n, k)),
-            np.eye(k, n),
-            SectorBounds(np.eye(n), np.eye(n), *[np.zeros((k, k))] * 4),
-        ),
-    ):
-        try:
-            one.inequalities().solve()
-        except PointpredError:
-            continue
-        assert one.growing()[1] is None
 
 
 def test_slopes_beyond_the_sector_do_not_count() -> None:

@@ -257,15 +257,10 @@ def test_a_gain_may_vanish_outside_the_region() -> None:
     [
         (lambda: feedback(plant(X2**2, U)), "x1' must be affine in x2"),
         (lambda: feedback(plant(X3 + X2, X3, U)), r"x1' may contain x2, .*, received \['x3'\]"),
-        (lambda: feedback(plant(X2 + U, U)), r"x1' may contain x2, .*, received \['u'\]"),
-        (lambda: feedback(plant(X2, U), X2), "x1 must be a function of the generator, received"),
         (lambda: feedforward(plant(X2, X1 + U), 2), r"x2' may contain itself, .*, received \['x1'\]"),
         (lambda: feedforward(plant(1 - X1 + U), 2), "x1' must be zero at the origin, received 1"),
-        (lambda: feedforward(plant(-X1 + U), 0), r"degree must be a whole number in \[1, 15\], received 0"),
         (lambda: feedforward(plant(-X1 + U), 2.5), r"degree must be a whole number .*, received 2\.5"),
         (lambda: feedforward(plant(-X1 + sp.Abs(U)), 2), "has no power series that is known here"),
-        (lambda: feedforward(plant(-X1 + U), 2, zero=(W1,)), "zero must hold 0 maps, received 1"),
-        (lambda: interlaced(plant(X1 + U), OSCILLATOR, 2, W1), r"upper must be .* in \[0, 1\], received 2"),
         (
             lambda: interlaced(plant(-X1 + X2, U), OSCILLATOR, 1, W1),
             "x1' needs a power series: give its degree",
@@ -275,11 +270,7 @@ def test_a_gain_may_vanish_outside_the_region() -> None:
             r"no order of solving leads to .*: x1' needs \[x3\]; x2' needs",
         ),
         (lambda: SymbolicSystem(X[:2], (X2,), U), "system needs an equation a state: 2, received 1"),
-        (lambda: SymbolicSystem(("x",), (X2,), U), "needs symbols as states, received 'x'"),
-        (lambda: SymbolicSystem((X1, X1), (X1, X1), U), "system needs different symbols"),
-        (lambda: SymbolicSystem((X1,), (X1,), "u"), "the input must be a symbol, received 'u'"),
         (lambda: SymbolicSystem((X1,), (X1,), X1), "input need different symbols"),
-        (lambda: SymbolicGenerator((W1,), (1 + W1,)), "w1' must be zero at the origin, received 1"),
         (lambda: SymbolicGenerator((W1,), (W1**2,)).matrix(), "generator must be linear"),
         (
             lambda: SymbolicGenerator((W1, W2), (W1 + W2, W2 - W1)),
@@ -289,10 +280,8 @@ def test_a_gain_may_vanish_outside_the_region() -> None:
             lambda: SymbolicGenerator((W1, W2), (W2, 0 * W1)),
             r"neutrally stable .*the eigenvalue 0 is multiple, and a motion of it grows with t",
         ),
-        *(
-            (lambda wrong=wrong: plant(wrong), r"needs a(n| finite real) expression, received")
-            for wrong in (sp.nan, sp.oo, sp.I, "3 +", [1], float("nan"))
-        ),
+        (lambda: plant("3 +"), "needs an expression, received"),
+        (lambda: plant(sp.oo), "needs a finite real expression, received"),
     ],
 )
 def test_what_has_another_form_is_refused_with_a_reason(call: Any, message: str) -> None:
@@ -351,10 +340,3 @@ def test_what_is_neither_is_undecided() -> None:
         prove_nonzero("g", (W1 - sp.pi) ** 2, W, None)
     with pytest.raises(ParameterError, match=r"g = k\*w1 \+ 1 needs values for \['k'\]"):
         prove_nonzero("g", 1 + sp.Symbol("k") * W1, W, None)
-    for wrong, told in (
-        ([(0, 1)], r"region needs 2 pairs \(low, high\), received"),
-        ([(1, 0), (0, 1)], r"w1 needs finite low <= high, received \(1, 0\)"),
-        ([(0, np.inf), (0, 1)], "w1 needs finite low <= high"),
-    ):
-        with pytest.raises(ParameterError, match=told):
-            prove_nonzero("g", W1, W, wrong)

@@ -113,39 +113,6 @@ def test_redundant_outputs(more: Any) -> None:
     assert np.abs(errors[-1]).max() < 0.01
 
 
-@pytest.mark.parametrize("time", ["continuous", "discrete"])
-@pytest.mark.parametrize("c", [PART, np.vstack([PART, [[2.0, 0.0, -1.0]]])])
-def test_more_outputs_than_inputs_in_other_units(c: Any, time: str) -> None:
-    """Of the many inverses of C F the same one is taken whatever the units of the outputs and states are.
-
-    In discrete time T A couples the two plain outputs one way only: there the user's units stay, and the
-    gains depend on them.
-    """
-    x, y = np.array([1e4, 1e-3, 1.0]), np.array([1e5, 1e-4, 30.0])[: len(c)]
-    first = 0.3 * A if time == "discrete" else A
-    one = system(c, first, time=time)
-    other = system(c * x / y[:, None], first * x / x[:, None], F / x[:, None], time=time)
-    box = Box({"k": (-0.5, 0.0)})
-    found, again = (UnknownInputObserver.design(each, box, 0.25) for each in (one, other))
-    point = {"k": -0.3}
-    assert again.system.t(point) * x[:, None] / x == pytest.approx(found.system.t(point), rel=1e-6, abs=1e-9)
-    if time == "discrete" and c is PART:
-        assert again.certificate.margin > 0.0
-        return
-    gains = gain_at(again, point) * x[:, None] / y
-    assert gains == pytest.approx(gain_at(found, point), rel=2e-3, abs=1e-6)
-
-
-@pytest.mark.parametrize("scale", [1e-6, 1e6])
-def test_the_zeros_of_a_system_in_other_units(scale: float) -> None:
-    """Two sensors, three states, one zero at -2 + k: it does not depend on the units of the states."""
-    a = np.array([[0.1, 1.0, 0.5], [0.0, -2.0, 0.0], [1.0, 0.0, -1.0]])
-    x = np.array([1.0, scale, 1.0 / scale])
-    one = system(PART * x, a * x / x[:, None], np.array([[1.0], [0.0], [0.0]]) / x[:, None])
-    found = UnknownInputObserver.design(one, Box({"k": (-0.5, 0.0)}), 0.25).certificate
-    assert np.sort(found.zeros.real.ravel()) == pytest.approx([-2.5, -2.0], rel=1e-9)
-
-
 @pytest.mark.slow
 def test_the_unknown_input_is_the_mean_over_each_interval() -> None:
     """Its error falls with the square of the interval, against the true d at the middle."""

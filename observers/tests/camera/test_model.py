@@ -23,14 +23,6 @@ def test_printed_equations_have_large_residuals(truth: Trajectory) -> None:
     assert chi_error > np.abs(expected[:, 2]).max()
 
 
-def test_the_chain_rule_agrees_with_differences_of_the_trajectory() -> None:
-    """What everything else is held against: fourth-order differences of the integrated path."""
-    fine = trajectory(SCENARIOS["paper"], np.arange(1001) / 1000.0)
-    states = np.column_stack([fine.image, fine.chi, fine.eta])
-    slope = (-states[4:] + 8 * states[3:-1] - 8 * states[1:-3] + states[:-4]) / (12 * 0.001)
-    assert np.abs(slope - printed.derivatives(fine)[2:-2]).max() < 1e-8
-
-
 def test_system_15_reproduces_the_derivatives(truth: Trajectory) -> None:
     expected = printed.derivatives(truth)
     for k in range(0, len(truth.t), 10):

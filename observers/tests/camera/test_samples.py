@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
+from evidence.observers import printed
 from evidence.observers.camera_measure import consistent, cramer_rao
 from pointpred.errors import ParameterError
 from pointpred_observers.camera import SCENARIOS, Noise, simulate
@@ -124,3 +125,11 @@ def test_the_interval_of_consistency_is_that_of_chi_squared() -> None:
         mean, (low, high) = consistent((random.normal(size=(20, 6)) ** 2).sum(axis=1))
         inside += low < mean < high
     assert 0.92 < inside / 400 < 0.98
+
+
+def test_the_chain_rule_agrees_with_differences_of_the_trajectory() -> None:
+    """What everything else is held against: fourth-order differences of the integrated path."""
+    fine = trajectory(SCENARIOS["paper"], np.arange(1001) / 1000.0)
+    states = np.column_stack([fine.image, fine.chi, fine.eta])
+    slope = (-states[4:] + 8 * states[3:-1] - 8 * states[1:-3] + states[:-4]) / (12 * 0.001)
+    assert np.abs(slope - printed.derivatives(fine)[2:-2]).max() < 1e-8
