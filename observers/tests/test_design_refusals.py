@@ -17,15 +17,12 @@ from observers.tests import kept_designs as kept
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred_observers import Generator, Persidskii, thesis
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.interconnected.regulator import Regulator
 from pointpred_observers.plants.linear_systems import as_plant
-from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import undetectable
-from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, certify, output_matrix
+from pointpred_observers.triangular.interlaced_observer import certify, output_matrix
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 CART, SYMBOLIC = kept.CART, kept.SYMBOLIC
@@ -53,55 +50,29 @@ def unknown_input(a: Any = None, f: Any = None, *, rates: Any = None, time: str 
 
 
 REFUSED: list[tuple[Callable[[], Any], str]] = [
-    (lambda: Persidskii([[np.nan]]), "A0 must be finite"),
-    (lambda: Persidskii([[1j]]), "A0 must be real"),
     (lambda: Persidskii([]), "A0 is empty: a plant needs at least one state"),
     (lambda: Persidskii([[-1.0]], [1.0], f="sin"), "A1 needs H, .* 1 rows of 1 entries"),
-    (lambda: Persidskii([[-1.0]], [1.0], [1.0]), "A1 needs f: a name"),
     (lambda: Persidskii([[-1.0]], [1.0], [1.0], "sinus"), "f must be a function or one of identity, sin"),
-    (lambda: Persidskii([[-1.0]], [1.0], np.eye(1, 1), ["sin"] * 2), "f needs 1 components"),
-    (lambda: Persidskii(-np.eye(2), [0.0, 1.0], np.eye(2), "sin"), "H has 2 rows, an elementwise f with 1"),
     (lambda: Persidskii([[-1.0]], [1.0], [1.0], "sin", slopes=(1.0, 0.0)), "slopes need low <= high"),
-    (lambda: Persidskii([[-1.0]], [1.0], [1.0], "sin", domain=0.0), "domain must lie above 0"),
     (lambda: Persidskii([[-1.0]], time="hybrid"), "time must be 'continuous' or 'discrete', .* 'hybrid'"),
     (lambda: Generator(np.zeros((0, 0))), "S0 needs at least one state, received none"),
-    (
-        lambda: o.steady_state_map(LAG, Generator([[0.0]], G=[[1.0, 1.0]])),
-        r"G has shape \(1, 2\), needs \(1, 1\)",
-    ),
     (lambda: o.steady_state_map(LAG, Generator([[0.0]], [1.0], L0=[1.0], f="tanh")), "relaxed=True"),
-    (lambda: o.steady_state_map(LAG, Generator([[0.0]]), tolerance=0.0), r"tolerance must lie in \(0, 1\)"),
     (lambda: as_plant(signal.TransferFunction([1.0, 0.0], [1.0, 1.0])), "needs D = 0: subtract D u"),
-    (lambda: as_plant(None), "must be a Persidskii system or a linear one .* received NoneType"),
     (lambda: o.c2d(o.c2d(LAG, 0.1), 0.1), "needs a continuous plant"),
     (lambda: o.c2d(VARYING, 0.1), "constant matrices; A0 vary"),
     (lambda: o.c2d(LAG, 0.1, method="tustin"), "method must be 'zoh' or 'euler'"),
     (
         lambda: o.design(BARE, "driven", generator=kept.CONSTANT, Pi=[[1.0]]),
-        "needs an output: give the plant C0 or C1",
+        "give the plant C0 or C1",
     ),
     (lambda: FullOrderObserver.design(CART, decay=0.0), "decay must be finite and above 0, received 0"),
     (lambda: FullOrderObserver.design(CUBIC), "needs bounded slopes"),
-    (lambda: ReducedOrderObserver.design(CUBIC), "needs bounded slopes"),
     (lambda: ReducedOrderObserver.design(CART, Pi=[[1.0, 0.0]]), "rows of Pi and C0 must be independent"),
-    (lambda: ReducedOrderObserver.design(Persidskii(-np.eye(2), C0=np.eye(2))), "nothing to observe"),
     (
         lambda: ReducedOrderObserver.design(Persidskii([[-1.0]], C0=lambda t: [[t]])),
-        "constant matrices; C0 vary",
-    ),
-    (
-        lambda: kept.design("driven").bound(0.0, 1.0, noise=1.0),
-        "the disturbances are v, eps, w, received noise",
-    ),
-    (lambda: ErrorBound(2.0, 1.0, (3.0,), ("v",))(-1.0, 1.0), "t must be"),
-    (lambda: observer(rates={"A0": lambda t: t}), r"rates may name Pi, Upsilon and C0, received \['A0'\]"),
-    (lambda: observer(tolerance=2.0), "tolerance must lie in"),
-    (
-        lambda: thesis.certify_convergence(observer(), gamma=-1.0),
-        "gamma must be finite and above 0, received -1",
+        "; C0 vary",
     ),
     (lambda: thesis.theorem_3_3_1("observer"), "needs an InvariantObserver, or printed matrices"),
-    (lambda: thesis.theorem_3_3_1({"S2": [[-4.0]], "S0": [[1.0]]}), "received S2, S0"),
     (lambda: thesis.assumption_3_2_2(LAG, Generator([[-2.0]], G=[1.0], L0=[1.0])), "needs Pi"),
     (lambda: thesis.assumption_4_4_2(steady(kept.X2)), "region needs x2"),
     (lambda: thesis.assumption_4_4_2(steady(kept.X2), {kept.X2: (1.0, 0.0)}), "x2 needs finite low <= high"),
@@ -109,7 +80,6 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: thesis.regulator_equations(LAG, Generator([[0.0]], G=[1.0])), "generator without G"),
     (lambda: thesis.design_state_feedback(BARE), "needs an input"),
     (lambda: Regulator.design(LAG, reference=Generator([[0.0]])), "together"),
-    (lambda: Regulator.design(LAG, reference=Generator([[0.0]]), following=3), "following must be"),
     (
         lambda: Regulator.design(
             LAG, reference=Generator([[0.0]], [1.0], [1.0]), following=([[1.0]], [[1.0]])
@@ -119,58 +89,38 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: output_matrix(steady()), "needs outputs of the system, received none"),
     (lambda: output_matrix(steady(kept.X1)), r"output 1 must be C w with numbers C"),
     (lambda: certify([[0.0]], [[1.0]], decay=-1.0), "decay must be finite and above 0"),
-    (
-        lambda: InterlacedObserver.design(steady(kept.X2), decay=0.3).stage(gap_s=0.0),
-        "gap_s must be finite and above 0",
-    ),
     (lambda: unknown_input(f=lambda p: np.zeros((2, 0))), "F needs a column for each unknown input"),
     (
         lambda: unknown_input(f=lambda p: np.array([[0.0], [1.0]])),
-        r"rank\(C F\) = 0 < rank\(F\) = 1.*at the vertex",
+        r"rank\(C F\) = 0 < rank\(F\) = 1",
     ),
     (lambda: unknown_input(f=lambda p: np.array([[1.0], [p["k"]]])), "F varies with k: its rate must be"),
     (
         lambda: unknown_input(f=lambda p: np.array([[1.0], [p["k"]]]), rates={"k": "dk"}),
-        "the box needs the axis dk",
+        "needs the axis dk",
     ),
     (
         lambda: unknown_input(lambda p: np.diag([-1.0, p["z"]])),
-        "the system needs the variable 'z', the box has k",
+        "needs the variable 'z', the box has k",
     ),
     (lambda: unknown_input(lambda p: np.diag([-1.0, p["k"] ** 2 - 3.0])), "must be affine in each variable"),
     (lambda: unknown_input(rates={"k": "dk"}, time="discrete"), "needs no rates"),
     (lambda: kept.design("unknown input").stage(np.zeros(2), noise=1.0), "noise and density come together"),
     (lambda: o.Box({"a": (1.0, 0.0)}), "a needs low <= high"),
     (lambda: o.Box({f"p{i}": (0.0, 1.0) for i in range(13)}), "at most 12 axes with a width, received 13"),
-    (lambda: o.Box({"a": (0.0, 1.0)}).weights({"a": 1.5}), r"a must lie in \[0, 1\], received 1.5"),
     (lambda: o.Box({"a": (0.0, 1.0), "b": (0.0, 1.0)}).weights({"a": 0.5}), "a point needs a, b, received a"),
-    (
-        lambda: kept.design("full order").error_system().disturbed_by("x"),
-        "the disturbances are v, .* received x",
-    ),
     (lambda: MatrixInequalities("empty").positive("P", 1).solve(), "at least one inequality"),
     (
-        lambda: MatrixInequalities("b").positive("P", 2).below("square", lambda v: v.P @ v.P).solve(),
-        "square must be affine",
-    ),
-    (
-        lambda: MatrixInequalities("b").positive("P", 2).below("row", lambda v: v.P[:1]).solve(),
-        "row must be a square matrix",
+        lambda: MatrixInequalities("b").positive("P", 2).below("a", lambda v: v.P @ v.P).solve(),
+        "a must be affine",
     ),
     (lambda: o.audit(CART), "an audit needs a design with a certificate, received"),
     (lambda: o.persistent_excitation([0.0, 1.0], [[1.0], [1.0]], 1.5), r"window must lie in \(0, 1\].*1.5"),
-    (lambda: o.persistent_excitation([0.0, 0.0], [[1.0], [1.0]], 0.1), "at least two increasing times"),
     (lambda: o.RecursiveLeastSquares(2, start=[0.0, 0.0]), "start needs a ridge above 0"),
-    (
-        lambda: PersidskiiStage([[-1.0]], None, None, [[1.0]], "sin", missing=MissingInputs.held(2, 1, 0)),
-        "missing needs 1 inputs, received 2",
-    ),
 ]
 
 
-@pytest.mark.parametrize(
-    ("call", "told"), REFUSED, ids=[f"{i} {row[1][:30]}" for i, row in enumerate(REFUSED)]
-)
+@pytest.mark.parametrize(("call", "told"), REFUSED)
 def test_what_cannot_be_says_what_to_do(call: Callable[[], Any], told: str) -> None:
     with pytest.raises(ParameterError, match=told):
         call()
@@ -187,11 +137,10 @@ INFEASIBLE: list[tuple[Callable[[], Any], str]] = [
     ),
     (lambda: thesis.design_state_feedback(GROWING), "no input moves the mode of the eigenvalue 1"),
     (lambda: thesis.certify_convergence(observer(), decay=50.0), "Theorem 3.3.1"),
-    (lambda: observer(B=[[1.0]]), r"S0 Z \+ B C0 - Z A0 - Z' = 0 cannot hold: its residual is"),
 ]
 
 
-@pytest.mark.parametrize(("call", "told"), INFEASIBLE, ids=[row[1][:30] for row in INFEASIBLE])
+@pytest.mark.parametrize(("call", "told"), INFEASIBLE)
 def test_what_no_choice_makes_possible_is_named(call: Callable[[], Any], told: str) -> None:
     with pytest.raises(InfeasibleError, match=told):
         call()
@@ -210,22 +159,11 @@ def test_undetectable_modes_are_those_of_the_hidden_block(seed: int, time: str) 
     assert undetectable(turn @ whole @ turn.T, np.eye(4), time) == []
 
 
-@pytest.mark.parametrize(
-    ("s0", "told"),
-    [
-        (
-            [[1.0, 0.0], [0.0, -2.0]],
-            r"\(A0, C0\) is not detectable: the mode of the eigenvalue 1 never shows",
-        ),
-        ([[0.0, 3.0], [-3.0, 0.0]], r"the mode of the eigenvalue 0[+-]3j never shows"),
-    ],
-)
-def test_a_hidden_mode_is_named_before_any_solver(
-    s0: Any, told: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_hidden_mode_is_named_before_any_solver(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "cvxpy", None)
+    s0 = [[0.0, 3.0], [-3.0, 0.0]]
     plant = Persidskii(s0, None, None, "sin", C0=[0.0, 0.0])
-    with pytest.raises(InfeasibleError, match=told):
+    with pytest.raises(InfeasibleError, match=r"the mode of the eigenvalue 0[+-]3j never shows"):
         DrivenObserver.design(plant, generator=Generator(s0), Pi=np.eye(2), decay=0.0)
 
 
@@ -241,7 +179,7 @@ def test_infeasible_is_said_where_no_single_gain_serves_all_slopes() -> None:
     [
         (Persidskii([[-1.0]], [1.0], [1.0], "cube", C0=[1.0]), [[1.0]], "a design needs bounded slopes"),
         (Persidskii([[-1.0]], [1.0], [1.0], np.sin, C0=[1.0]), [[1.0]], "a design needs slopes"),
-        (Persidskii(lambda t: [[-1.0]], [1.0], [1.0], "sin", C0=[1.0]), [[1.0]], "A0 vary: use plant.at"),
+        (VARYING, [[1.0]], "A0 vary: use plant.at"),
         (Persidskii([[-1.0]], [1.0], [1.0], "sin", C0=[1.0]), [[1.0, 2.0]], r"Pi has shape \(1, 2\)"),
         (Persidskii([[-1.0]], [1.0], [1.0], "sin", C0=[1.0]), [[2.0]], "J must be H Pi, differs by 1"),
         (

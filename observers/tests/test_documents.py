@@ -17,6 +17,7 @@ import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers.files import VERSION, decoded, encoded
+from pointpred_observers.plants.expressions import parsed, text_of
 from pointpred_observers.plants.persidskii import NAMES
 
 pytest.importorskip("cvxpy")
@@ -63,20 +64,6 @@ def test_a_plant_comes_back_bit_by_bit(plant: o.Persidskii) -> None:
         plant.f.codes, plant.slopes, plant.domain, plant.time,
     )  # fmt: skip
     assert encoded(again) == text
-
-
-@given(st.integers(1, 3), st.data())
-def test_a_generator_comes_back_bit_by_bit(q: int, data: st.DataObject) -> None:
-    def entries(columns: int) -> Any:
-        size = q * columns
-        return np.array(data.draw(st.lists(NUMBERS, min_size=size, max_size=size))).reshape(q, columns)
-
-    generator = o.Generator(entries(q), entries(2), None, None, entries(q).T, None, entries(1), f="tanh")
-    again = decoded(encoded(generator))
-    for name in ("S0", "S1", "L0", "E"):
-        assert getattr(generator, name).tobytes() == getattr(again, name).tobytes()
-    assert again.J is None
-    assert again.f.codes == generator.f.codes
 
 
 @pytest.mark.parametrize("name", kept.MAKERS)
@@ -297,3 +284,53 @@ def test_a_place_that_holds_no_file_is_refused(tmp_path: Path, monkeypatch: Any,
     ) as wrong:
         o.load(name)
     assert wrong.value.field == "file"
+
+
+sp = pytest.importorskip("sympy")
+
+
+X, Y = sp.symbols("x y")
+
+
+LEAVES = st.sampled_from([X, Y, sp.Integer(-3), sp.Rational(2, 7), sp.pi, sp.sqrt(2)])
+
+
+EXPRESSIONS = st.recursive(
+    LEAVES,
+    lambda inner: st.one_of(
+        st.builds(lambda a, b: a + b, inner, inner),
+        st.builds(lambda a, b: a * b, inner, inner),
+        st.builds(lambda a: a**3, inner),
+        st.builds(lambda a: 1 / (1 + a**2), inner),
+        st.builds(sp.sin, inner),
+        st.builds(sp.tanh, inner),
+    ),
+    max_leaves=6,
+)
+
+
+@given(EXPRESSIONS)
+def test_an_expression_comes_back(expression: sp.Expr) -> None:
+    assert parsed(text_of(expression), "here") == expression
+
+
+def test_decimals_are_exact() -> None:
+    assert parsed("0.1*x", "here") * 10 == X
+    assert parsed("1e-3", "here") == sp.Rational(1, 1000)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x.real", "x[0]", "lambda: 1", "[x]", "x if y else 1", "f(x)", "sin(x, y)", "sin(*x)", "x == 1",
+        "x and y",
+        "(x := 1)", "'a'", "1j", "True", "x @ y", "x % 2", "x // 2", "9**9**9",
+        "2**(10**9 + 1/2)", "(1/3)**(-10**9 - 1/7)",
+        "2**100000", "1e999", "sqrt(-1)", "log(0)", "((9**99)**99)**99",
+        "1/0", "x/(1-1)", "import os", "", " ", "x" * 30_000, "(" * 500 + "x" + ")" * 500, "__import__('os')",
+    ],
+    ids=range(33),
+)  # fmt: skip
+def test_anything_else_is_refused(text: str) -> None:
+    with pytest.raises(ParameterError, match="here"):
+        parsed(text, "here")

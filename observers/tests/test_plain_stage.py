@@ -241,15 +241,6 @@ def test_a_reduced_order_observer_follows_the_plant_through_a_gap(injection: boo
         assert stage.update(t, [y, u(t)]) == pytest.approx(x, abs=3e-4)
 
 
-def test_the_first_output_may_be_missing() -> None:
-    plant = plant_with_input()
-    observer = invariant_observer(plant, np.eye(3)[1:], [[-3.0], [1.0]], injection=True)
-    stage = observer.stage(start=[0.4, -0.3, 0.2], step_s=1e-3)
-    assert stage.update(5.0, None) == pytest.approx([0.4, -0.3, 0.2])
-    wanted = exactly(lambda t, x: plant.field(t, x, [0.0]), [0.4, -0.3, 0.2], (5.0, 5.8))
-    assert stage.update(5.8, [NAN, 0.0]) == pytest.approx(wanted, abs=1e-9)
-
-
 def test_one_of_several_inputs_is_replaced_and_the_others_count() -> None:
     n, k = np.array([[-1.0, 0.4], [0.0, -2.0]]), np.array([[1.0, 0.0, 0.5], [0.0, 1.0, -0.3]])
     v0 = np.array([[0.5, 1.0], [0.0, 0.0], [0.2, -0.4]])

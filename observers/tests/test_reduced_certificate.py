@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
 from scipy import signal
 
 from evidence.observers.designs import outcome
-from evidence.observers.plants import hiding
 from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers import Persidskii, invariant_observer, trajectory
-from pointpred_observers.proofs.stationary import filter_start
-from pointpred_observers.reduced_order import design
+from pointpred_observers.examples import two_masses
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.reversed_certificate import lipschitz
 from pointpred_observers.reduced_order.reversed_connection import Connection
-from pointpred_observers.reduced_order.upsilon import split
 from pointpred_observers.simulations.trajectories import SeededSignal
 from pointpred_observers.thesis import certify_convergence, theorem_3_3_1, theorem_3_3_2
 
@@ -27,10 +22,8 @@ PI = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
 
 def masses(domain: float = 2.0, time: str = "continuous") -> Persidskii:
     """Two masses with a hardening spring between them, position and velocity of one measured (Example 5)."""
-    a0 = np.array(
-        [[0.0, 1.0, 0.0, 0.0], [-3.0, -0.6, 3.0, 0.6], [0.0, 0.0, 0.0, 1.0], [3.0, 0.6, -3.6, -2.6]]
-    )
-    a1, h = np.array([0.0, -3.0, 0.0, 3.0]), [1.0, 0.0, -1.0, 0.0]
+    one = two_masses(domain)
+    a0, a1, h = one.A0, one.A1[:, 0], one.H[0]
     slopes = (0.0, 3.0 * domain**2)
     if time == "discrete":
         return Persidskii(np.eye(4) + 0.1 * a0, 0.1 * a1, h, "sin", C0=np.eye(2, 4), time=time)
@@ -72,9 +65,6 @@ def test_the_margins_are_those_of_the_matrices() -> None:
     e *= np.sqrt(level / (e @ p @ e))
     assert abs(float(now.J[0] @ e)) == pytest.approx(1.0)  # from reach 1 to the domain 2
     assert radius == pytest.approx(np.sqrt(level / np.linalg.eigvalsh(p)[-1]))
-    for wrong in (float("nan"), -1.0, "far", None):
-        with pytest.raises(ParameterError, match="reach must be"):
-            found.region(wrong)
     with pytest.raises(CertificateError, match=r"reaches 2\.5, the slopes hold within 2 only"):
         found.region(2.5)
 
@@ -105,9 +95,6 @@ def test_the_theorems_do_not_speak_of_another_f_than_the_observers() -> None:
     for theorem in (theorem_3_3_1, theorem_3_3_2):
         with pytest.raises(ParameterError, match="slopes of f, 'atan', must hold everywhere"):
             theorem(observer, (0.0, 0.1))
-    with pytest.raises(ParameterError, match=r"gamma must be at least 1, .* received 0\.3") as refused:
-        theorem_3_3_2(observer, gamma=0.3)
-    assert refused.value.field == "gamma"
     with pytest.raises(InfeasibleError):
         theorem_3_3_2(observer, gamma=1.0).solve()
     assert theorem_3_3_1(observer, (-0.5, 2.0), 0.1).name == "Theorem 3.3.1"
@@ -207,8 +194,6 @@ def test_matrices_that_vary_are_certified_where_they_are_looked_at() -> None:
     assert len([name for name in found.margins if name.startswith("the inequality at")]) == 5
     with pytest.raises(ParameterError, match="the observer varies: give the times at which it is certified"):
         certify_convergence(observer, decay=1.0)
-    with pytest.raises(ParameterError, match="times must be finite"):
-        certify_convergence(observer, decay=1.0, times=[0.0, np.nan])
     with pytest.raises(InfeasibleError, match=r"has the eigenvalue 0\.5"):
         certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[0.5]]), times=[1.5 * np.pi])
 
@@ -244,36 +229,6 @@ def test_a_printed_s0_is_audited_by_the_theorems_of_section_3_3() -> None:
     assert theorem_3_3_2(step, gamma=1.0).check(found)["P > 0"] > 0.0
     with pytest.raises(ParameterError, match="J has 0 rows, needs 1"):
         theorem_3_3_1({"S0": [[-4.0]], "S1": [[1.0]]}, [(0.0, 1.0)])
-
-
-def hidden(seed: int, share: float) -> Persidskii:
-    """A linear plant of 4 states whose slowest mode reaches the output with this share."""
-    random = np.random.default_rng(seed)
-    a = random.normal(size=(4, 4)) / 2.0
-    return Persidskii(a, None, None, "tanh", C0=hiding(a, random.normal(size=(1, 4)), share))
-
-
-def graded(p: Any) -> float:
-    """The condition number of P with its diagonal scaled to 1."""
-    d = 1.0 / np.sqrt(np.diag(p))
-    return float(np.linalg.cond(p * d * d[:, None]))
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_in_the_axes_of_the_filter_a_barely_observable_state_is_a_coordinate(seed: int) -> None:
-    plant = hidden(seed, 1e-3)
-    plain, turned = design._unmeasured(plant), design._turned(plant, 0.5)
-    assert turned is not None
-    assert np.allclose(turned @ turned.T, np.eye(3), atol=1e-12)
-    assert np.allclose(plant.C0 @ turned.T, 0.0, atol=1e-12)
-    sizes = []
-    for pi in (plain, turned):
-        parts = split(plant, pi)
-        start = filter_start(parts.drift, parts.seen, 0.5, "continuous")
-        assert start is not None
-        sizes.append(graded(start[0]))
-    assert sizes[1] < 10.0
-    assert sizes[1] < 1e-3 * sizes[0]
 
 
 @pytest.mark.slow

@@ -12,16 +12,9 @@ from hypothesis import strategies as st
 
 from evidence.observers.designs import outcome
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers import Generator, Persidskii, trajectory
+from pointpred_observers import Generator, Persidskii, thesis, trajectory
 from pointpred_observers.interconnected.regulated import Followed, Regulated, growing_mode, quadrant
 from pointpred_observers.interconnected.tracking import closed_loop
-from pointpred_observers.thesis import (
-    SectorBounds,
-    certify_tracking,
-    sector_bounds,
-    theorem_3_2_2,
-    theorem_3_2_3,
-)
 
 
 def pendulum(seed: int) -> tuple[Persidskii, Generator]:
@@ -30,12 +23,8 @@ def pendulum(seed: int) -> tuple[Persidskii, Generator]:
     a, b, c = rng.uniform(0.5, 2.0, 3)
     a0 = np.array([[-a, 1.0], [-1.0, -b]])
     a1, h, c0 = np.array([[-0.5], [0.0]]), np.array([[1.0, 0.0]]), np.array([[1.0, 0.0]])
-    bb, l0, l1, g = (
-        np.array([[1.0], [0.0]]),
-        np.array([[-c, 0.0]]),
-        np.array([[-0.5]]),
-        np.array([[1.0], [0.2]]),
-    )
+    bb, g = np.array([[1.0], [0.0]]), np.array([[1.0], [0.2]])
+    l0, l1 = np.array([[-c, 0.0]]), np.array([[-0.5]])
     plant = Persidskii(a0, a1, h, "tanh", bb, bb, c0)
     return plant, Generator(a0 + bb @ l0 - g @ c0, a1 + bb @ l1, h, g, l0, l1, bb)
 
@@ -44,11 +33,11 @@ def pendulum(seed: int) -> tuple[Persidskii, Generator]:
 @settings(max_examples=6)
 def test_both_functions_of_lyapunov_decay_along_trajectories(seed: int) -> None:
     plant, regulator = pendulum(seed)
-    certificate = certify_tracking(plant, regulator, np.eye(2))
+    certificate = thesis.certify_tracking(plant, regulator, np.eye(2))
     assert min(certificate.margins.values()) > 0.0
-    again = theorem_3_2_2(plant, regulator, np.eye(2)).check(certificate.regulator.values)
+    again = thesis.theorem_3_2_2(plant, regulator, np.eye(2)).check(certificate.regulator.values)
     assert again == certificate.regulator.margins
-    again = theorem_3_2_3(plant, regulator, np.eye(2)).check(certificate.error.values)
+    again = thesis.theorem_3_2_3(plant, regulator, np.eye(2)).check(certificate.error.values)
     assert again == certificate.error.margins
     values = certificate.error.values
 
@@ -84,7 +73,7 @@ def test_the_blocks_are_what_the_derivative_of_the_lyapunov_function_needs(seed:
     def one(count: int) -> Any:
         return rng.normal(size=count)
 
-    first = theorem_3_2_2(plant, regulator, pi)
+    first = thesis.theorem_3_2_2(plant, regulator, pi)
     v = SimpleNamespace(P=some(2), Gamma=some(2), Xi=some(2), Omega=some(1), Lambda=some(1))
     w, f, dz, dw = one(2), one(1), one(2), one(2)
     speed = (g.S0 + g.G @ plant.C0) @ w + (g.S1 + g.G @ plant.C1) @ f + dz + dw
@@ -94,8 +83,8 @@ def test_the_blocks_are_what_the_derivative_of_the_lyapunov_function_needs(seed:
     assert form @ first.blocks["Phi"](v) @ form == pytest.approx(left)
 
     numbers = {name: some(1) for name in ("Lambda", "Omega1", "Omega2", "Upsilon")}
-    sector = SectorBounds(some(2), some(2), *(some(1) for _ in range(4)))
-    second = theorem_3_2_3(plant, regulator, pi, sector)
+    sector = thesis.SectorBounds(some(2), some(2), *(some(1) for _ in range(4)))
+    second = thesis.theorem_3_2_3(plant, regulator, pi, sector)
     v = SimpleNamespace(
         P=some(2), Gamma=some(2), Xi=some(2), gamma1=rng.normal(), gamma2=rng.normal(), **numbers
     )
@@ -121,22 +110,20 @@ def test_the_blocks_are_what_the_derivative_of_the_lyapunov_function_needs(seed:
 
 def test_constants_of_the_sector() -> None:
     plant, _ = pendulum(3)
-    found = sector_bounds(plant)
+    found = thesis.sector_bounds(plant)
     rng = np.random.default_rng(0)
     for z, w in zip(rng.normal(size=(50, 2)), rng.normal(size=(50, 2)), strict=True):
         delta = plant.f(plant.H @ (z + w)) - plant.f(plant.H @ w)
         assert plant.f(plant.H @ z) @ plant.f(plant.H @ z) <= z @ found.Sigma1 @ z + 1e-12
         assert delta @ delta <= z @ found.Psi1 @ z + 1e-12
     with pytest.raises(CertificateError, match=r"Assumption 3\.2\.4: Sigma1 .* eigenvalue -0\.5"):
-        sector_bounds(plant, Sigma1=0.5 * plant.H.T @ plant.H)
-    with pytest.raises(ParameterError, match="the constants are Sigma1"):
-        sector_bounds(plant, Sigma=np.eye(2))
+        thesis.sector_bounds(plant, Sigma1=0.5 * plant.H.T @ plant.H)
     for slopes, told in [
         ((-1.0, 1.0), "needs an f that increases"),
         ((-1.0, np.inf), "needs bounded slopes"),
     ]:
         with pytest.raises(ParameterError, match=told):
-            sector_bounds(Persidskii(plant.A0, plant.A1, plant.H, "sin", slopes=slopes))
+            thesis.sector_bounds(Persidskii(plant.A0, plant.A1, plant.H, "sin", slopes=slopes))
 
 
 SIZES = (3, 2)
@@ -162,7 +149,7 @@ def followed(random: np.random.Generator) -> Followed:
     n, k = SIZES
     h = random.normal(size=(k, n))
     plant = Persidskii(-np.eye(n), random.normal(size=(n, k)), h, "tanh")
-    return Followed(random.normal(size=(n, n)) - 2.0 * np.eye(n), plant.A1, h, sector_bounds(plant))
+    return Followed(random.normal(size=(n, n)) - 2.0 * np.eye(n), plant.A1, h, thesis.sector_bounds(plant))
 
 
 @given(st.integers(0, 2**32 - 1))
@@ -206,7 +193,7 @@ def test_slopes_beyond_the_sector_do_not_count() -> None:
     one = np.ones((1, 1))
     none = np.zeros((1, 1))
     for steepest, grows in ((0.4, False), (0.6, True)):
-        sector = SectorBounds(steepest**2 * one, steepest**2 * one, none, none, none, none)
+        sector = thesis.SectorBounds(steepest**2 * one, steepest**2 * one, none, none, none, none)
         assert (Followed(-one, 2.0 * one, one, sector).growing()[1] is not None) == grows
     assert Regulated(-one, 2.0 * one, one).growing()[1] is not None
     assert Regulated(-one, -2.0 * one, one).growing()[1] is None
@@ -223,7 +210,7 @@ def test_growth_within_rounding_proves_nothing() -> None:
 @pytest.mark.parametrize("seed", [2, 7])
 def test_stiff_regulators_that_no_multipliers_decide_are_refused(seed: int) -> None:
     """Problems of the table of designs; only complex slopes refuse the first of them."""
-    assert outcome("`certify_tracking`", "stiff", seed) == ("refused", None)
+    assert outcome("`thesis.certify_tracking`", "stiff", seed) == ("refused", None)
 
 
 def test_the_refusal_names_eigenvalue_and_slopes() -> None:
@@ -232,4 +219,4 @@ def test_the_refusal_names_eigenvalue_and_slopes() -> None:
     first = r"3\.2\.3: S \+ S~ D J has the eigenvalue 55\.2341 at D = diag\(28\.1171\), must lie left of 0"
     second = r"3\.2\.6: A~0 \+ A~1 D H has the eigenvalue 0\.199999 at D = diag\(0\.599999\), must lie left"
     with pytest.raises(InfeasibleError, match=f"{first}.*{second}"):
-        certify_tracking(plant, regulator, [[1.0]])
+        thesis.certify_tracking(plant, regulator, [[1.0]])

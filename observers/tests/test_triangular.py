@@ -215,25 +215,6 @@ def test_the_cauchy_problem_of_the_print_gives_no_steady_state() -> None:
 
 
 @pytest.mark.parametrize(
-    ("function", "at"),
-    [
-        (sp.sin, 0), (sp.cos, 0), (sp.exp, 0), (sp.tanh, 0), (sp.atan, 0), (sp.log, 2), (sp.sqrt, 3),
-        (sp.cosh, 1),
-    ],
-)  # fmt: skip
-def test_composition_agrees_with_the_library(function: Any, at: int) -> None:
-    e = function(at + W1 + W1**2 / 3) / (2 - W1)
-    found = composed(e, {W1: sp.Poly(W1, W1)}, (W1,), 5).as_expr()
-    assert sp.simplify(found - sp.series(e, W1, 0, 6).removeO()) == 0
-
-
-@pytest.mark.parametrize("e", [1 / W1, sp.log(W1), sp.sqrt(W1), sp.log(W1 - 1)])
-def test_what_is_not_analytic_at_the_origin_is_refused(e: Any) -> None:
-    with pytest.raises(ParameterError, match="is not analytic at the origin"):
-        composed(e, {W1: sp.Poly(W1, W1)}, (W1,), 2)
-
-
-@pytest.mark.parametrize(
     ("row", "place"),
     [
         (X1 * U, "vanishes at w1 = 0, w2 = 0"),

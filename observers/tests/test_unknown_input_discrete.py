@@ -106,12 +106,8 @@ def test_no_gain_has_a_larger_margin(seed: int) -> None:
         # The same on the kernel of C, and never less anywhere than what the kernel alone needs.
         assert np.allclose(blind.T @ other @ blind, blind.T @ best @ blind)
         room = blind.T @ p @ blind
-        hidden = (
-            p
-            @ blind
-            @ np.linalg.solve(room, blind.T @ a.T @ p @ a @ blind)
-            @ np.linalg.solve(room, blind.T @ p)
-        )
+        first = np.linalg.solve(room, blind.T @ a.T @ p @ a @ blind)
+        hidden = p @ blind @ first @ np.linalg.solve(room, blind.T @ p)
         assert np.allclose(best, hidden)
         assert np.trace(other @ np.linalg.inv(p)) >= np.trace(best @ np.linalg.inv(p)) - 1e-9
 

@@ -125,28 +125,6 @@ def test_nothing_is_claimed_where_no_image_tells_the_depth(name: str, noise_px: 
         assert not peer(noise_px).run(samples).running.any()
 
 
-def test_without_the_noise_taken_out_the_start_would_be_far_too_near() -> None:
-    """Plain least squares on the same images: less than half of the depth at 8 px."""
-    samples, truth = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=3.0, noise=Noise(noise_px=8.0))
-    normal, right, phi, push = np.zeros((6, 6)), np.zeros(6), np.eye(6), np.zeros(6)
-    for k in range(len(truth.t)):
-        if k:
-            h = truth.t[k] - truth.t[k - 1]
-            turn = 0.5 * h * (truth.w[k] + truth.w[k - 1])
-            for i in range(6):
-                kinematics.carry_column(phi.ravel(), i, h, tuple(turn))
-            kinematics.carry(push, h, tuple(turn))
-            kinematics.push(push, h, tuple(turn), tuple(truth.a[k - 1]), tuple(truth.a[k]))
-        x, y = samples.table[k, 1:3] / FOCAL
-        rows = np.array([[1.0, 0.0, -x], [0.0, 1.0, -y]])
-        normal += (rows @ phi[:3]).T @ rows @ phi[:3]
-        right -= (rows @ phi[:3]).T @ rows @ push[:3]
-    assert 0.0 < np.linalg.solve(normal, right)[2] < 0.5
-    started = peer(8.0, share=0.5).run(samples)
-    first = np.flatnonzero(started.running)[0]
-    assert abs(started.state[first, 2] - truth.p[first, 2]) < 3.0 * np.sqrt(started.covariance[first, 2, 2])
-
-
 def test_a_point_that_passes_the_camera_makes_it_begin_anew() -> None:
     def velocity(t: object) -> tuple[object, object, object]:
         return 0.3 * np.sin(2.0 * t), 0.3 * np.cos(3.0 * t), 0.4  # type: ignore[call-overload, operator]
