@@ -71,15 +71,6 @@ def test_no_frequency_exceeds_the_norm_and_one_reaches_it(seed: int, n: int, dis
     assert gain(at) == pytest.approx(norm, rel=1e-8)
 
 
-def test_python_control_computes_the_same_norm() -> None:
-    control = pytest.importorskip("control", reason="python-control is a tool of the tests only")
-    rng = np.random.default_rng(4)
-    for n in (1, 4):
-        a, b, c = stable(rng, n), rng.normal(size=(n, 2)), rng.normal(size=(2, n))
-        other = control.system_norm(control.ss(a, b, c, np.zeros((2, 2))), "inf", tol=1e-8)
-        assert h_infinity(a, b, c)[0] == pytest.approx(other, rel=1e-6)
-
-
 @pytest.mark.parametrize("time", ["continuous", "discrete"])
 def test_the_proved_gain_of_a_linear_system_is_its_norm(time: str) -> None:
     rng = np.random.default_rng(11)

@@ -9,10 +9,7 @@ import pytest
 
 from pointpred.errors import CertificateError, DivergenceError
 from pointpred_observers import steady_state_map, trajectory
-from pointpred_observers.examples import (
-    Bioreactor,
-    academic,
-)
+from pointpred_observers.examples import Bioreactor, academic
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.simulations import trajectories
 from pointpred_observers.thesis import residuals, theorem_3_2_1

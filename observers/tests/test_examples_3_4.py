@@ -10,12 +10,7 @@ import pytest
 from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError
 from pointpred_observers import steady_state_map, thesis, trajectory
-from pointpred_observers.examples import (
-    ROBOT_INPUT_MODIFIED,
-    academic,
-    chua_circuits,
-    robotic_arm,
-)
+from pointpred_observers.examples import ROBOT_INPUT_MODIFIED, academic, chua_circuits, robotic_arm
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.interconnected.tracking import closed_loop
 

@@ -9,16 +9,8 @@ import numpy as np
 import pytest
 
 from pointpred.errors import CertificateError
-from pointpred_observers import (
-    SymbolicSystem,
-    interlaced,
-    trajectory,
-)
-from pointpred_observers.examples import (
-    SPRINGS,
-    interlaced_masses,
-    interlaced_states,
-)
+from pointpred_observers import SymbolicSystem, interlaced, trajectory
+from pointpred_observers.examples import SPRINGS, interlaced_masses, interlaced_states
 from pointpred_observers.plants.symbolic import SymbolicSteadyState
 from pointpred_observers.thesis import check_steady_state
 

@@ -71,14 +71,11 @@ def test_the_plain_law_is_the_compiled_one(seed: int, time: str) -> None:
 
 def test_an_f_of_several_arguments() -> None:
     """Predators and prey: the product of two states, which no name has."""
-    stage = PersidskiiStage(
-        np.diag([1.0, -1.0]),
-        [[-1.0], [1.0]],
-        np.eye(2),
-        None,
-        lambda s: np.array([s[0] * s[1]]),
-        start=[2.0, 1.0],
-    )
+
+    def f(s: Any) -> Any:
+        return np.array([s[0] * s[1]])
+
+    stage = PersidskiiStage(np.diag([1.0, -1.0]), [[-1.0], [1.0]], np.eye(2), None, f, start=[2.0, 1.0])
     stage.update(0.0)
     wanted = exactly(lambda t, x: [x[0] - x[0] * x[1], x[0] * x[1] - x[1]], [2.0, 1.0], (0.0, 0.9))
     assert stage.update(0.9) == pytest.approx(wanted, abs=1e-7)
@@ -148,13 +145,9 @@ def test_the_default_step_does_not_depend_on_units() -> None:
     n = np.array([[-200.0, 1e4], [-1.0, -50.0]])
     for scale in (1e-6, 1.0, 1e6):
         d = np.diag([scale, 1.0])
-        stage = PersidskiiStage(
-            d @ n @ np.linalg.inv(d),
-            d @ [[30.0], [1.0]],
-            np.array([[1.0, 2.0]]) @ np.linalg.inv(d),
-            None,
-            "tanh",
-        )
+        back = np.linalg.inv(d)
+        j = np.array([[1.0, 2.0]]) @ back
+        stage = PersidskiiStage(d @ n @ back, d @ [[30.0], [1.0]], j, None, "tanh")
         assert stage.step_s == pytest.approx(0.0035, rel=0.1)
 
 

@@ -154,15 +154,6 @@ def test_euler_keeps_the_steady_state_map() -> None:
     assert steady_state_map(*sampled).Pi == pytest.approx(pi)
 
 
-def test_python_control_samples_alike() -> None:
-    control = pytest.importorskip("control", reason="python-control is a tool of the tests only")
-    system = control.ss(A0, [[0.0], [1.0]], [[1.0, 0.0]], [[0.0]])
-    other = control.c2d(system, 0.1, "zoh")
-    held = c2d(system, 0.1)
-    assert pytest.approx(other.A, abs=1e-12) == held.A0
-    assert pytest.approx(other.B, abs=1e-12) == held.B
-
-
 def test_a_generator_of_another_time_is_refused() -> None:
     generator = kept.CONSTANT
     sampled = c2d(generator, 0.1)
@@ -242,12 +233,6 @@ def test_functions_with_their_true_slopes_are_taken() -> None:
         assert plant(f, slopes, domain).domain == domain
     both = Persidskii(-np.eye(2), np.eye(2), np.eye(2), np.arctan, slopes=[(0.0, 1.0), (-1.0, 1.0)])
     assert both.at(0.0).f.checked == np.inf
-
-
-def test_a_wider_domain_is_checked_again() -> None:
-    inside = plant(np.sin, (0.5, 1.0), 1.0)
-    with pytest.raises(ParameterError, match="within 2"):
-        plant(inside.f, None, 2.0)
 
 
 def test_another_function_of_a_file_must_fit_its_slopes() -> None:

@@ -198,13 +198,6 @@ def test_matrices_that_vary_are_certified_where_they_are_looked_at() -> None:
         certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[0.5]]), times=[1.5 * np.pi])
 
 
-def test_given_matrices_are_audited() -> None:
-    now = invariant_observer(masses(), PI, [[-1.0, 0.0], [0.0, 0.0]]).at(0.0)
-    problem = theorem_3_3_1([now], ((0.0, 1.0),), 0.5, F=[[0.25], [0.0]])
-    with pytest.raises(CertificateError, match="P S1 - F"):
-        problem.check({"P": np.eye(2), "Xi": np.eye(2), "W": np.zeros((2, 2))})
-
-
 def test_the_lipschitz_matrix_certifies_what_one_constant_does_not() -> None:
     """f sees one state only; gamma I, as printed, counts its slope for the other one as well."""
     one = Connection(

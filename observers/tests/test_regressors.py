@@ -75,13 +75,10 @@ def test_it_follows_its_differential_equation_to_second_order(outputs: int) -> N
         d, y = sample(t)
         return np.asarray(gain @ d.T @ (y - d @ theta))
 
-    errors = errors_of(
-        lambda: GradientRegressor(3, outputs=outputs, gain=gain, start=start),
-        sample,
-        slope,
-        start,
-        (40, 80, 160),
-    )
+    def make() -> GradientRegressor:
+        return GradientRegressor(3, outputs=outputs, gain=gain, start=start)
+
+    errors = errors_of(make, sample, slope, start, (40, 80, 160))
     assert errors[2] < 1e-2
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
     assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)

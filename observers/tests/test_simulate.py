@@ -267,14 +267,6 @@ def test_a_wrong_argument_is_named(change: dict[str, Any], words: str) -> None:
     assert words in str(wrong.value)
 
 
-def test_a_plant_that_leaves_every_bound_is_named_with_the_time() -> None:
-    hot = o.Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "cube", None, None, [1.0, 0.0],
-                       slopes=(0.0, 3.0), domain=1.0)  # fmt: skip
-    design = o.design(hot, "reduced", decay=1.0)
-    with pytest.raises(DivergenceError, match="leaves every bound"):
-        o.simulate(hot, design, start=[3.0, 3.0])
-
-
 def test_a_figure_is_written_in_one_call(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     result = o.simulate(kept.CART, kept.design("reduced order, linear"), times=TIMES)
@@ -310,26 +302,6 @@ def test_a_function_that_fails_is_named_with_its_time(field: str, given: Any, wo
     with pytest.raises(ParameterError, match=words) as refused:
         o.simulate(plant, design, times=TIMES[:20], **{field: given})
     assert refused.value.field == field
-
-
-def test_a_variable_that_only_the_plant_needs_is_named() -> None:
-    plant = o.ParameterVaryingSystem(
-        lambda p: kept.WING.a(p) + p["ice"] * np.zeros((2, 2)), kept.WING.f, kept.WING.c
-    )
-    asked: dict[str, Any] = {"times": TIMES[:20], "schedule": {"k": 1.5}}
-    with pytest.raises(ParameterError, match="lacks the variable 'ice' of the plant, received k") as refused:
-        o.simulate(plant, kept.design("unknown input"), **asked)
-    assert refused.value.field == "schedule"
-    asked["schedule"] = {"k": np.array([1.5]), "ice": lambda t: 0.0}
-    assert np.isfinite(o.simulate(plant, kept.design("unknown input"), **asked).state).all()
-
-
-def test_a_linear_system_follows_its_exponential() -> None:
-    a = np.array([[0.0, 1.0], [-4.0, -0.4]])
-    times = np.array([0.0, 0.13, 0.7, 2.0])
-    states = trajectory(lambda t, x: a @ x, [1.0, -1.0], times)
-    expected = [expm(a * t) @ [1.0, -1.0] for t in times]
-    assert np.allclose(states, expected, atol=1e-8)
 
 
 @given(st.integers(0, 100))

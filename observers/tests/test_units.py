@@ -54,14 +54,8 @@ def test_random_linear_plants_with_one_output_are_designed(n: int, seed: int) ->
 
 def test_a_slow_observer_is_certified_without_a_decay() -> None:
     """e'' + 0.02 e' + e = 0 with a weak nonlinearity: only rates far below the slowest corner's hold."""
-    plant = Persidskii(
-        [[0.0, 1.0, 0.0], [-1.0, -0.02, 0.1], [0.0, 0.0, 0.0]],
-        [0.0, 0.0097, 0.0],
-        [0.0, 1.0, 0.0],
-        "tanh",
-        C0=[0.0, 0.0, 1.0],
-        slopes=(-1.0, 1.0),
-    )
+    a0, a1, h = [[0.0, 1.0, 0.0], [-1.0, -0.02, 0.1], [0.0, 0.0, 0.0]], [0.0, 0.0097, 0.0], [0.0, 1.0, 0.0]
+    plant = Persidskii(a0, a1, h, "tanh", C0=[0.0, 0.0, 1.0], slopes=(-1.0, 1.0))
     observer = invariant_observer(plant, np.eye(2, 3), np.zeros((2, 1)))
     assert certify_convergence(observer, decay=1e-4, gamma=1e-4).bound.decay >= 1e-4
     assert certify_convergence(observer).bound.decay > 0.0
