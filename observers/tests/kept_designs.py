@@ -43,7 +43,6 @@ SAMPLED_WING = o.CornerSystem(
 
 @cache
 def design(name: str) -> Any:
-    """The design of this name, made once."""
     return MAKERS[name]()
 
 

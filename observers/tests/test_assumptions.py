@@ -96,7 +96,6 @@ def test_assumption_3_2_3_by_hand() -> None:
 
 
 def nine(stiffness: float = 3.0) -> Any:
-    """Example 9, corrected."""
     y1, y2, y3, y4 = sp.symbols("y1:5")
     spring = 3 * y3 + stiffness * y3**3 + sp.Rational(3, 5) * y4
     rows = (y2, -spring, y4, -2 * spring + sp.Rational(3, 5) * (y1 - y3) + 2 * (y2 - y4) - U)

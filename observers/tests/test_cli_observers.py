@@ -25,7 +25,6 @@ Command = Callable[..., Left]
 
 @pytest.fixture
 def motor(command: Command, tmp_path: Path) -> Path:
-    """A design that the command line made."""
     assert command("observers", "example", "motor", "--out", tmp_path / "motor.json").code == 0
     left = command("observers", "design", tmp_path / "motor.json", "--decay", "5")
     assert (left.code, "motor_design.json" in left.err) == (0, True)

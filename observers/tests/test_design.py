@@ -177,7 +177,7 @@ def test_the_region_keeps_every_argument_in_the_domain() -> None:
     with pytest.raises(CertificateError, match="the trajectory reaches 2, the slopes hold within 2 only"):
         design.region(2.0)
     everywhere = Persidskii(plant.A0, plant.A1, plant.H, "sin", C0=plant.C0)
-    one = DrivenObserver.design(everywhere, generator=design.generator, Pi=np.eye(2), decay=0.0)
+    one = DrivenObserver.design(everywhere, generator=Generator(plant.A0, plant.A1), Pi=np.eye(2), decay=0.0)
     assert one.region(9.0) == (np.inf, np.inf)
 
 

@@ -149,7 +149,6 @@ def test_the_decay_of_a_normal_system_is_certified_up_to_its_eigenvalue() -> Non
 
 
 def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
-    """The observer of (3.5) and its generator are run."""
     plant = o.Persidskii(
         [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], lambda s: np.array([asinh(s[0])]), [0.0, 1.0],
         C0=[[1.0, 0.0]], slopes=(0.3, 1.0), domain=3.0,

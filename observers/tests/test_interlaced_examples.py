@@ -35,7 +35,6 @@ def nine() -> SymbolicSteadyState:
 
 
 def residuals(system: SymbolicSystem, maps: Any, ell: Any) -> list[Any]:
-    """Dpi s - F(pi, l), with nothing but substitution."""
     values = {**dict(zip(system.states, maps, strict=True)), U: ell}
     return [
         sp.simplify(sp.diff(m, W1) * W2 - sp.diff(m, W2) * W1 - f.subs(values, simultaneous=True))

@@ -106,11 +106,6 @@ def test_tracking_without_a_nonlinearity() -> None:
         assert np.linalg.eigvalsh(a.T @ values["P"] + values["P"] @ a).max() < 0.0
 
 
-def test_a_linear_plant_needs_no_f() -> None:
-    cart = Persidskii([[0.0, 1.0], [0.0, -1.0]], B=[0.0, 1.0], C0=[1.0, 0.0])
-    assert (cart.k, cart.r, cart.field(0.0, [1.0, 2.0], u=3.0).tolist()) == (0, 0, [2.0, 1.0])
-
-
 A0 = np.array([[0.0, 1.0], [-2.0, -0.3]])
 
 

@@ -131,7 +131,6 @@ SIZES = (3, 2)
 
 
 def form(block: Any, vector: Any) -> float:
-    """v* block v."""
     return float((vector.conj() @ block @ vector).real)
 
 

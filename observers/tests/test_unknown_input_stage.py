@@ -33,7 +33,6 @@ def k(t: float) -> float:
 
 
 def at(t: float) -> Any:
-    """The schedule at a time: k, whatever the estimate is."""
     return lambda _: {"k": k(t)}
 
 
@@ -42,7 +41,6 @@ def observed(c: Any, f: Any = F, decay: float = 0.25) -> UnknownInputObserver:
 
 
 def sample(t: float, y: Any, k: Any = 0.0, known: Any = (0.0, 0.0, 0.0)) -> UnknownInputSample:
-    """A sample of constant k, or of a schedule."""
     y = None if y is None else np.array(y, float)
     return UnknownInputSample(t, y, np.array(known, float), k if callable(k) else lambda _: {"k": k})
 
@@ -265,7 +263,6 @@ def damped(two: bool = False) -> UnknownInputObserver:
 
 
 def driven(observer: UnknownInputObserver, count: int, k: Any) -> list[UnknownInputSample]:
-    """Samples every 10 ms; ``k(i)`` is the schedule of the sample i."""
     width = len(observer.system.c)
     return [
         sample(0.01 * i, np.full(width, np.sin(0.01 * i)), k(i), [0.0, 0.1 * i, 0.0]) for i in range(count)

@@ -61,6 +61,27 @@ def test_the_reduced_form_is_the_full_form(design: UnknownInputObserver) -> None
     np.testing.assert_allclose(estimates[:, :2], image(full.t), atol=1e-8)
 
 
+def test_the_general_reduced_form_is_the_compiled_law(design: UnknownInputObserver) -> None:
+    from pointpred_observers.camera import depth
+
+    random = np.random.default_rng(4)
+    for x, y, wx, wy, wz, eta, a_z, dwx, dwy, chi in random.uniform(0.03, 0.05, (20, 10)):
+        values = (y * wx - x * wy - eta, -eta, a_z, wx, wy, dwx, dwy)
+        point = dict(zip(camera.model.SCHEDULED, map(float, values), strict=True))
+        state = np.array([x, y, chi, -eta])
+        z = design.system.t(point) @ state
+        known = np.concatenate([camera.model.interaction(x, y) @ [wx, wy, wz], [0, 0]])
+        gamma, k, e, t = design.equations(point)
+        rate = gamma @ (z - e @ [x, y]) + t @ known
+        assert not k.any()
+        np.testing.assert_allclose(
+            depth.rate(chi, z[3], depth.Measured(x, y, wx, wy, wz, a_z), dwx, dwy), rate[2:], atol=1e-15
+        )
+        np.testing.assert_allclose(
+            design.system.gamma(point) @ state + design.system.t(point) @ known, rate, atol=1e-14
+        )
+
+
 def test_with_the_right_start_the_truth_is_followed() -> None:
     samples, truth = camera.simulate(
         camera.SCENARIOS["paper"], focal_px=FOCAL, duration_s=10.0, image_hz=100.0

@@ -13,7 +13,6 @@ FOCAL = 800.0
 
 
 def peer(noise_px: float, **more: float) -> camera.PointFilter:
-    """A filter that is told the bound of uniform noise."""
     return camera.PointFilter(focal_px=FOCAL, noise_px=max(noise_px, 0.1) / np.sqrt(3.0), **more)
 
 

@@ -200,7 +200,6 @@ def test_rows_chunks_pickles_and_fresh_agree(made: Any) -> None:
 
 
 def numbers(found: Any) -> Any:
-    """The answers to a table as rows."""
     if isinstance(found, PointTrack):
         return np.hstack([found.state, found.covariance.reshape(-1, 36)])
     return found.table
