@@ -69,7 +69,8 @@ def test_compiled_laws_agree_with_plain_python(tmp_path: Path) -> None:
     noise = Noise(noise_px=1.5, dropped=0.2)
     samples, _ = simulate(SCENARIOS["paper"], focal_px=800.0, duration_s=3.0, noise=noise)
     images, out = tmp_path / "images.npy", tmp_path / "out.npz"
-    np.save(images, samples.table)
+    turning = samples.table + 0.01 * np.eye(9)[5]  # a turn about the axis too
+    np.save(images, turning)
     environment = {**os.environ, "POINTPRED_COMPILED": "0", "PYTHONWARNINGS": "error"}
     root = Path(__file__).parents[2]
     subprocess.run(

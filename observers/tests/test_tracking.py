@@ -209,7 +209,7 @@ def test_growth_within_rounding_proves_nothing() -> None:
 @pytest.mark.parametrize("seed", [2, 7])
 def test_stiff_regulators_that_no_multipliers_decide_are_refused(seed: int) -> None:
     """Problems of the table of designs; only complex slopes refuse the first of them."""
-    assert outcome("`thesis.certify_tracking`", "stiff", seed) == ("refused", None)
+    assert outcome("`certify_tracking`", "stiff", seed) == ("refused", None)
 
 
 def test_the_refusal_names_eigenvalue_and_slopes() -> None:
