@@ -124,12 +124,6 @@ def test_symbols_come_back_as_the_same_expressions() -> None:
     assert (again.maps, again.input, again.exact) == (steady.maps, steady.input, steady.exact)
 
 
-def test_an_observer_without_certificate_is_kept() -> None:
-    observer = o.invariant_observer(kept.CART, [[0.0, 1.0]], [[-3.0]])
-    again = decoded(encoded(observer))
-    assert again.at(0.0).S0.tobytes() == observer.at(0.0).S0.tobytes()
-
-
 def test_what_a_person_writes_by_hand_is_read() -> None:
     text = """{"format": "pointpred observers", "version": 1, "kind": "plant",
                "A0": [[0, 1], [0, -1]], "A1": [0, 2], "H": [1, 0], "f": "tanh", "B": [0, 1], "C0": [1, 0]}"""

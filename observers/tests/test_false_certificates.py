@@ -194,11 +194,6 @@ def test_no_proof_for_one_f_speaks_of_another(prove: Any) -> None:
     assert refused.value.field == "f"
 
 
-def test_an_f_of_its_own_may_be_that_of_the_plant() -> None:
-    certificate = thesis.certify_tracking(FOLLOWED, regulator("tanh"), [[1.0]])
-    assert min(certificate.margins.values()) > 0.0
-
-
 @pytest.mark.parametrize(("name", "value"), [("f", "cube"), ("J", [[0.5, 0.0]])])
 def test_a_regulator_of_a_file_has_the_f_and_the_j_of_its_proof(name: str, value: Any) -> None:
     mass = o.Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0])

@@ -100,12 +100,6 @@ def test_the_theorems_do_not_speak_of_another_f_than_the_observers() -> None:
     assert theorem_3_3_1(observer, (-0.5, 2.0), 0.1).name == "Theorem 3.3.1"
 
 
-def test_upsilon_is_found_with_the_output_in_f() -> None:
-    free = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5)
-    assert free.certificate.bound.decay >= 0.5
-    assert np.abs(free.observer.at(0.0).R).max() > 0.1
-
-
 def test_the_compiled_stage_and_the_integrator_converge_alike() -> None:
     plant = masses()
     design = ReducedOrderObserver.design(plant, Pi=PI, decay=0.5)

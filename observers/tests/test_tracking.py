@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from evidence.observers.designs import outcome
-from pointpred.errors import CertificateError, InfeasibleError, ParameterError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, PointpredError
 from pointpred_observers import Generator, Persidskii, thesis, trajectory
 from pointpred_observers.interconnected.regulated import Followed, Regulated, growing_mode, quadrant
 from pointpred_observers.interconnected.tracking import closed_loop
@@ -185,6 +185,22 @@ def test_a_motion_that_grows_violates_assumption_3_2_6_for_all_matrices(seed: in
         values["Xi"] = definite(random, n) + first * one.sector.Sigma1 + second * one.sector.Psi1
         phi = one.inequalities().blocks["Phi"](SimpleNamespace(gamma1=first, gamma2=second, **values))
         assert form(phi, vector) > 0.0
+
+
+@pytest.mark.parametrize("seed", [1, 4, 5, 7])
+def test_what_has_matrices_has_no_motion_that_grows(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    n, k = SIZES
+    stable = random.normal(size=(n, n)) - 2.5 * np.eye(n)
+    first = Regulated(stable, -random.normal(size=(n, k)), random.normal(size=(k, n)))
+    sector = thesis.SectorBounds(np.eye(n), np.eye(n), *[np.zeros((k, k))] * 4)
+    second = Followed(stable, 0.5 * random.normal(size=(n, k)), np.eye(k, n), sector)
+    for one in (first, second):
+        try:
+            one.inequalities().solve()
+        except PointpredError:
+            continue
+        assert one.growing()[1] is None
 
 
 def test_slopes_beyond_the_sector_do_not_count() -> None:
