@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-import numpy as np
 import pytest
 
 import pointpred_observers as o
@@ -44,7 +43,6 @@ SAMPLED_WING = o.CornerSystem(
 
 @cache
 def design(name: str) -> Any:
-    """The design of this name, made once."""
     return MAKERS[name]()
 
 
@@ -78,39 +76,3 @@ MAKERS = {
     ),
     "interlaced": _interlaced,
 }
-
-
-def numbers(thing: Any) -> dict[str, np.ndarray[Any, Any]]:
-    """Every array that a design carries, by its place."""
-    found: dict[str, Any] = {}
-
-    def walk(name: str, one: Any) -> None:
-        if isinstance(one, np.ndarray | float):
-            found[name] = np.asarray(one)
-        elif isinstance(one, dict):
-            for key, value in one.items():
-                walk(f"{name}.{key}", value)
-        elif hasattr(one, "__struct_fields__"):
-            for key in one.__struct_fields__:
-                walk(f"{name}.{key}", getattr(one, key))
-
-    parts = {
-        key: getattr(thing, key)
-        for key in (
-            "gain",
-            "values",
-            "bound",
-            "certificate",
-            "Upsilon",
-            "gap",
-            "observer",
-            "feedback",
-            "Pi",
-            "gains",
-        )
-        if hasattr(thing, key)
-    }
-    walk("", parts)
-    if "gains" in parts:
-        found["gains"] = thing.gains
-    return {name: one for name, one in found.items() if "margins" not in name}

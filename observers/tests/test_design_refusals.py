@@ -1,21 +1,149 @@
-"""Designs that are refused, each with its reason."""
+"""What cannot be, told in words that say what to do: one row a refusal; and modes that no output shows."""
 
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy import signal
 
+import pointpred_observers as o
+from observers.tests import kept_designs as kept
 from pointpred.errors import InfeasibleError, ParameterError
-from pointpred_observers import Generator, Persidskii
+from pointpred_observers import Generator, Persidskii, thesis
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
 from pointpred_observers.interconnected.regulator import Regulator
+from pointpred_observers.plants.linear_systems import as_plant
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import undetectable
+from pointpred_observers.triangular.interlaced_observer import certify, output_matrix
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
+
+CART, SYMBOLIC = kept.CART, kept.SYMBOLIC
+LAG = Persidskii([[-1.0]], None, None, "sin", [1.0], None, [1.0])
+VARYING = Persidskii(lambda t: [[-1.0]], [1.0], [1.0], "sin", C0=[1.0])
+CUBIC = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -1.0], [0.0, 1.0], "cube", [0.0, 1.0], None, [1.0, 0.0])
+GROWING = Persidskii([[0.0, 0.0], [0.0, 1.0]], None, None, "sin", [1.0, 0.0], None, [1.0, 0.0])
+BARE = Persidskii([[-1.0]], None, None, "sin")
+
+
+def observer(**more: Any) -> Any:
+    return o.invariant_observer(CART, **{"Pi": [[0.0, 1.0]], "Upsilon": [[-3.0]], **more})
+
+
+def steady(*outputs: Any) -> Any:
+    system = o.SymbolicSystem((kept.X1, kept.X2), SYMBOLIC.field, kept.U, outputs=outputs)
+    return o.interlaced(system, kept.CIRCLE, 1, kept.W1, degree=2)
+
+
+def unknown_input(a: Any = None, f: Any = None, *, rates: Any = None, time: str = "continuous") -> Any:
+    given_a = a or (lambda p: np.diag([-1.0, -2.0 - p["k"]]))
+    given_f = f or (lambda p: np.eye(2, 1))
+    system = o.ParameterVaryingSystem(given_a, given_f, np.eye(1, 2), rates=rates, time=time)
+    return UnknownInputObserver.design(system, o.Box({"k": (0.0, 1.0)}), 0.05)
+
+
+REFUSED: list[tuple[Callable[[], Any], str]] = [
+    (lambda: Persidskii([]), "A0 is empty: a plant needs at least one state"),
+    (lambda: Persidskii([[-1.0]], [1.0], f="sin"), "A1 needs H, .* 1 rows of 1 entries"),
+    (lambda: Persidskii([[-1.0]], [1.0], [1.0], "sinus"), "f must be a function or one of identity, sin"),
+    (lambda: Persidskii([[-1.0]], [1.0], [1.0], "sin", slopes=(1.0, 0.0)), "slopes need low <= high"),
+    (lambda: Persidskii([[-1.0]], time="hybrid"), "time must be 'continuous' or 'discrete', .* 'hybrid'"),
+    (lambda: Generator(np.zeros((0, 0))), "S0 needs at least one state, received none"),
+    (lambda: o.steady_state_map(LAG, Generator([[0.0]], [1.0], L0=[1.0], f="tanh")), "relaxed=True"),
+    (lambda: as_plant(signal.TransferFunction([1.0, 0.0], [1.0, 1.0])), "needs D = 0: subtract D u"),
+    (lambda: o.c2d(o.c2d(LAG, 0.1), 0.1), "needs a continuous plant"),
+    (lambda: o.c2d(VARYING, 0.1), "constant matrices; A0 vary"),
+    (lambda: o.c2d(LAG, 0.1, method="tustin"), "method must be 'zoh' or 'euler'"),
+    (
+        lambda: o.design(BARE, "driven", generator=kept.CONSTANT, Pi=[[1.0]]),
+        "give the plant C0 or C1",
+    ),
+    (lambda: FullOrderObserver.design(CART, decay=0.0), "decay must be finite and above 0, received 0"),
+    (lambda: FullOrderObserver.design(CUBIC), "needs bounded slopes"),
+    (lambda: ReducedOrderObserver.design(CART, Pi=[[1.0, 0.0]]), "rows of Pi and C0 must be independent"),
+    (
+        lambda: ReducedOrderObserver.design(Persidskii([[-1.0]], C0=lambda t: [[t]])),
+        "; C0 vary",
+    ),
+    (lambda: thesis.theorem_3_3_1("observer"), "needs an InvariantObserver, or printed matrices"),
+    (lambda: thesis.assumption_3_2_2(LAG, Generator([[-2.0]], G=[1.0], L0=[1.0])), "needs Pi"),
+    (lambda: thesis.assumption_4_4_2(steady(kept.X2)), "region needs x2"),
+    (lambda: thesis.assumption_4_4_2(steady(kept.X2), {kept.X2: (1.0, 0.0)}), "x2 needs finite low <= high"),
+    (lambda: thesis.regulator_stage(LAG, Generator([[-1.0]], G=[1.0])), "a regulator needs J"),
+    (lambda: thesis.regulator_equations(LAG, Generator([[0.0]], G=[1.0])), "generator without G"),
+    (lambda: thesis.design_state_feedback(BARE), "needs an input"),
+    (lambda: Regulator.design(LAG, reference=Generator([[0.0]])), "together"),
+    (
+        lambda: Regulator.design(
+            LAG, reference=Generator([[0.0]], [1.0], [1.0]), following=([[1.0]], [[1.0]])
+        ),
+        "a reference is linear",
+    ),
+    (lambda: output_matrix(steady()), "needs outputs of the system, received none"),
+    (lambda: output_matrix(steady(kept.X1)), r"output 1 must be C w with numbers C"),
+    (lambda: certify([[0.0]], [[1.0]], decay=-1.0), "decay must be finite and above 0"),
+    (lambda: unknown_input(f=lambda p: np.zeros((2, 0))), "F needs a column for each unknown input"),
+    (
+        lambda: unknown_input(f=lambda p: np.array([[0.0], [1.0]])),
+        r"rank\(C F\) = 0 < rank\(F\) = 1",
+    ),
+    (lambda: unknown_input(f=lambda p: np.array([[1.0], [p["k"]]])), "F varies with k: its rate must be"),
+    (
+        lambda: unknown_input(f=lambda p: np.array([[1.0], [p["k"]]]), rates={"k": "dk"}),
+        "needs the axis dk",
+    ),
+    (
+        lambda: unknown_input(lambda p: np.diag([-1.0, p["z"]])),
+        "needs the variable 'z', the box has k",
+    ),
+    (lambda: unknown_input(lambda p: np.diag([-1.0, p["k"] ** 2 - 3.0])), "must be affine in each variable"),
+    (lambda: unknown_input(rates={"k": "dk"}, time="discrete"), "needs no rates"),
+    (lambda: kept.design("unknown input").stage(np.zeros(2), noise=1.0), "noise and density come together"),
+    (lambda: o.Box({"a": (1.0, 0.0)}), "a needs low <= high"),
+    (lambda: o.Box({f"p{i}": (0.0, 1.0) for i in range(13)}), "at most 12 axes with a width, received 13"),
+    (lambda: o.Box({"a": (0.0, 1.0), "b": (0.0, 1.0)}).weights({"a": 0.5}), "a point needs a, b, received a"),
+    (lambda: MatrixInequalities("empty").positive("P", 1).solve(), "at least one inequality"),
+    (
+        lambda: MatrixInequalities("b").positive("P", 2).below("a", lambda v: v.P @ v.P).solve(),
+        "a must be affine",
+    ),
+    (lambda: o.audit(CART), "an audit needs a design with a certificate, received"),
+    (lambda: o.persistent_excitation([0.0, 1.0], [[1.0], [1.0]], 1.5), r"window must lie in \(0, 1\].*1.5"),
+    (lambda: o.RecursiveLeastSquares(2, start=[0.0, 0.0]), "start needs a ridge above 0"),
+]
+
+
+@pytest.mark.parametrize(("call", "told"), REFUSED)
+def test_what_cannot_be_says_what_to_do(call: Callable[[], Any], told: str) -> None:
+    with pytest.raises(ParameterError, match=told):
+        call()
+
+
+INFEASIBLE: list[tuple[Callable[[], Any], str]] = [
+    (lambda: ReducedOrderObserver.design(GROWING), "not detectable: the mode of the eigenvalue 1"),
+    (lambda: FullOrderObserver.design(GROWING), r"^\(A0, C0\) is not detectable"),
+    (
+        lambda: FullOrderObserver.design(
+            Persidskii([[0.0, 0.0], [0.0, -1.0]], [0.0, 1.0], [0.0, 1.0], "tanh", C0=[0.0, 1.0])
+        ),
+        r"^\(A0 \+ A1 D H, C0 \+ C1 D H\), D = diag\(0\), is not detectable",
+    ),
+    (lambda: thesis.design_state_feedback(GROWING), "no input moves the mode of the eigenvalue 1"),
+    (lambda: thesis.certify_convergence(observer(), decay=50.0), "Theorem 3.3.1"),
+]
+
+
+@pytest.mark.parametrize(("call", "told"), INFEASIBLE)
+def test_what_no_choice_makes_possible_is_named(call: Callable[[], Any], told: str) -> None:
+    with pytest.raises(InfeasibleError, match=told):
+        call()
 
 
 @given(st.integers(0, 2**31), st.sampled_from(["continuous", "discrete"]))
@@ -31,22 +159,11 @@ def test_undetectable_modes_are_those_of_the_hidden_block(seed: int, time: str) 
     assert undetectable(turn @ whole @ turn.T, np.eye(4), time) == []
 
 
-@pytest.mark.parametrize(
-    ("s0", "told"),
-    [
-        (
-            [[1.0, 0.0], [0.0, -2.0]],
-            r"\(A0, C0\) is not detectable: the mode of the eigenvalue 1 never shows",
-        ),
-        ([[0.0, 3.0], [-3.0, 0.0]], r"the mode of the eigenvalue 0[+-]3j never shows"),
-    ],
-)
-def test_a_hidden_mode_is_named_before_any_solver(
-    s0: Any, told: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_hidden_mode_is_named_before_any_solver(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "cvxpy", None)
+    s0 = [[0.0, 3.0], [-3.0, 0.0]]
     plant = Persidskii(s0, None, None, "sin", C0=[0.0, 0.0])
-    with pytest.raises(InfeasibleError, match=told):
+    with pytest.raises(InfeasibleError, match=r"the mode of the eigenvalue 0[+-]3j never shows"):
         DrivenObserver.design(plant, generator=Generator(s0), Pi=np.eye(2), decay=0.0)
 
 
@@ -62,7 +179,7 @@ def test_infeasible_is_said_where_no_single_gain_serves_all_slopes() -> None:
     [
         (Persidskii([[-1.0]], [1.0], [1.0], "cube", C0=[1.0]), [[1.0]], "a design needs bounded slopes"),
         (Persidskii([[-1.0]], [1.0], [1.0], np.sin, C0=[1.0]), [[1.0]], "a design needs slopes"),
-        (Persidskii(lambda t: [[-1.0]], [1.0], [1.0], "sin", C0=[1.0]), [[1.0]], "A0 vary: use plant.at"),
+        (VARYING, [[1.0]], "A0 vary: use plant.at"),
         (Persidskii([[-1.0]], [1.0], [1.0], "sin", C0=[1.0]), [[1.0, 2.0]], r"Pi has shape \(1, 2\)"),
         (Persidskii([[-1.0]], [1.0], [1.0], "sin", C0=[1.0]), [[2.0]], "J must be H Pi, differs by 1"),
         (
@@ -88,37 +205,6 @@ def test_detectable_is_detectable_in_every_unit(scale: float, shown: float) -> N
     assert [one / scale for one in hidden] == pytest.approx([1.0 + 0.0j])
 
 
-def test_a_wrong_map_is_refused_with_its_residual() -> None:
-    plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
-    generator = Generator([[0.0]], L0=[2.0])
-    told = r"Assumption 3\.2\.1: A0 Pi - Pi G C0 Pi - Pi S0 \+ B L0 = 0 fails, its residual is 0\.25"
-    with pytest.raises(InfeasibleError, match=told):
-        DrivenObserver.design(plant, generator=generator, Pi=[[1.75]], decay=1.0)
-    assert DrivenObserver.design(plant, generator=generator, Pi=[[2.0]], decay=1.0).gain.shape == (1, 1)
-
-
-@pytest.mark.parametrize("decay", [-0.1, np.inf, np.nan])
-def test_a_decay_is_finite_and_not_negative(decay: float) -> None:
-    plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
-    with pytest.raises(ParameterError, match="decay must be finite and not below 0"):
-        DrivenObserver.design(plant, generator=Generator([[0.0]], L0=[1.0]), Pi=[[1.0]], decay=decay)
-
-
-def test_a_bound_knows_its_disturbances() -> None:
-    plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
-    bound = DrivenObserver.design(plant, generator=Generator([[0.0]], L0=[1.0]), Pi=[[1.0]], decay=1.0).bound
-    assert bound(0.0, 1.0, v=1.0) > bound(0.0, 1.0)
-    with pytest.raises(ParameterError, match="the disturbances are v, eps, w, received noise"):
-        bound(0.0, 1.0, noise=1.0)
-
-
-def test_slopes_without_bound_are_named_by_every_design() -> None:
-    cubic = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -1.0], [0.0, 1.0], "cube", C0=[1.0, 0.0])
-    for design in (ReducedOrderObserver.design, FullOrderObserver.design):
-        with pytest.raises(ParameterError, match="needs bounded slopes"):
-            design(cubic)
-
-
 MOTOR = [[0.0, 1.0, 0.0], [0.0, -1.0, 5.0], [0.0, -5.0, -100.0]]
 
 
@@ -130,24 +216,3 @@ def test_numbers_that_cannot_be_computed_with_are_refused(door: Any, factor: flo
     proved = InfeasibleError if decay == 1e20 else ParameterError
     with pytest.raises((ParameterError, proved), match=r"too many powers of ten apart|no choice satisfies"):
         door(plant, decay=decay)
-
-
-@pytest.mark.parametrize(
-    ("plant", "pair"),
-    [
-        (Persidskii([[0.0, 1.0], [0.0, 0.5]], C0=[0.0, 1.0]), r"^\(A0, C0\) is not detectable"),
-        (
-            Persidskii([[0.0, 0.0], [0.0, -1.0]], [0.0, 1.0], [0.0, 1.0], "tanh", C0=[0.0, 1.0]),
-            r"^\(A0 \+ A1 D H, C0 \+ C1 D H\), D = diag\(0\), is not detectable",
-        ),
-    ],
-)
-def test_a_full_order_observer_is_refused_in_the_words_of_its_plant(plant: Persidskii, pair: str) -> None:
-    with pytest.raises(InfeasibleError, match=pair):
-        FullOrderObserver.design(plant)
-
-
-def test_a_decay_of_zero_is_refused() -> None:
-    plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], C0=[1.0, 0.0])
-    with pytest.raises(ParameterError, match="decay must be finite and above 0, received 0"):
-        FullOrderObserver.design(plant, decay=0.0)

@@ -17,6 +17,7 @@ import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers.files import VERSION, decoded, encoded
+from pointpred_observers.plants.expressions import parsed, text_of
 from pointpred_observers.plants.persidskii import NAMES
 
 pytest.importorskip("cvxpy")
@@ -58,27 +59,11 @@ def test_a_plant_comes_back_bit_by_bit(plant: o.Persidskii) -> None:
     text = encoded(plant)
     again = decoded(text)
     for name in NAMES:
-        left, right = getattr(plant, name), getattr(again, name)
-        assert left.tobytes() == right.tobytes()
-        assert left.shape == right.shape or not left.size
+        assert getattr(plant, name).tobytes() == getattr(again, name).tobytes()
     assert (again.f.codes, again.slopes, again.domain, again.time) == (
         plant.f.codes, plant.slopes, plant.domain, plant.time,
     )  # fmt: skip
     assert encoded(again) == text
-
-
-@given(st.integers(1, 3), st.data())
-def test_a_generator_comes_back_bit_by_bit(q: int, data: st.DataObject) -> None:
-    def entries(columns: int) -> Any:
-        size = q * columns
-        return np.array(data.draw(st.lists(NUMBERS, min_size=size, max_size=size))).reshape(q, columns)
-
-    generator = o.Generator(entries(q), entries(2), None, None, entries(q).T, None, entries(1), f="tanh")
-    again = decoded(encoded(generator))
-    for name in ("S0", "S1", "L0", "E"):
-        assert getattr(generator, name).tobytes() == getattr(again, name).tobytes()
-    assert again.J is None
-    assert again.f.codes == generator.f.codes
 
 
 @pytest.mark.parametrize("name", kept.MAKERS)
@@ -86,12 +71,9 @@ def test_a_design_comes_back_with_every_number_and_proof(name: str, tmp_path: Pa
     design = kept.design(name)
     again = o.load(o.save(design, tmp_path / "design.json"))
     assert type(again) is type(design)
-    left, right = kept.numbers(design), kept.numbers(again)
-    assert left.keys() == right.keys()
-    assert left
-    for place, one in left.items():
-        assert one.tobytes() == right[place].tobytes(), place
     assert encoded(again) == encoded(design)
+    assert again.bounds == design.bounds
+    assert again.gap == design.gap
     assert o.audit(again) == o.audit(design) == design.margins
     assert min(o.audit(design).values()) > -1e-9
 
@@ -133,11 +115,6 @@ def test_a_pi_that_overflows_proves_nothing() -> None:
         decoded(json.dumps(text))
 
 
-def test_a_full_order_observer_returns_the_state_once() -> None:
-    assert kept.design("full order").stage().update(0.0, None).shape == (2,)
-    assert kept.design("driven").stage().update(0.0, None).shape == (3,)
-
-
 def test_symbols_come_back_as_the_same_expressions() -> None:
     steady = kept.design("interlaced").steady
     for thing in (kept.SYMBOLIC, kept.CIRCLE, steady):
@@ -145,20 +122,6 @@ def test_symbols_come_back_as_the_same_expressions() -> None:
         assert encoded(again) == encoded(thing)
     again = decoded(encoded(steady))
     assert (again.maps, again.input, again.exact) == (steady.maps, steady.input, steady.exact)
-
-
-def test_linear_systems_of_other_libraries_are_saved_as_plants() -> None:
-    signal = pytest.importorskip("scipy.signal")
-    plant = decoded(
-        encoded(signal.StateSpace([[-1.0, 2.0], [0.0, -3.0]], [[0.0], [1.0]], [[1.0, 0.0]], [[0.0]]))
-    )
-    assert plant.A0.tolist() == [[-1.0, 2.0], [0.0, -3.0]]
-
-
-def test_an_observer_without_certificate_is_kept() -> None:
-    observer = o.invariant_observer(kept.CART, [[0.0, 1.0]], [[-3.0]])
-    again = decoded(encoded(observer))
-    assert again.at(0.0).S0.tobytes() == observer.at(0.0).S0.tobytes()
 
 
 def test_what_a_person_writes_by_hand_is_read() -> None:
@@ -229,53 +192,23 @@ def put(*path: Any, value: Any) -> Callable[[dict[str, Any]], None]:
 
 
 WRONG = [
-    (
-        "plant",
-        put("version", value=VERSION + 1),
-        "version",
-        "this pointpred reads version 1: install a newer",
-    ),
+    ("plant", put("version", value=VERSION + 1), "version", "reads version 1: install a newer"),
     ("plant", put("version", value="1"), "version", '"version" must be 1'),
     ("plant", put("format", value="matlab"), "format", '"format" must be "pointpred observers"'),
     ("plant", put("kind", value="plan"), "kind", "must be one of plant, generator"),
-    ("plant", put("kind", value=["plant"]), "kind", "must be one of plant"),
     ("plant", put("A", value=[[1.0]]), "", "unknown field A; the fields are A0, A1"),
     ("plant", put("A0", 0, 1, value="fast"), "A0[0][1]", "Expected float, got str"),
-    ("plant", put("A0", value=[[0.0, 1.0]]), "A0", "A0 has shape (1, 2), needs (1, 1)"),
-    ("plant", put("A0", value=[[0.0, 1.0], [2.0]]), "A0", "A0 must be a matrix of numbers"),
-    ("plant", put("B", value=[[1.0], [2.0, 3.0]]), "B", "B must be a matrix of numbers"),
     ("plant", put("B", value=[[1.0, 2.0]]), "B", "B has shape (1, 2), needs (2, any)"),
-    ("plant", put("f", value="sine"), "f", "f must be a function or one of identity, sin"),
     ("plant", put("time", value="sometimes"), "time", "Invalid enum value 'sometimes'"),
-    ("plant", put("domain", value=-1.0), "domain", "domain must lie above 0"),
     ("wing", lambda c: c["corners"].pop(), "corners", "the corner {'k': 3.0} of the box is missing"),
-    (
-        "wing",
-        put("corners", 0, "at", value={"k": 2.0}),
-        "corners",
-        "the corner {'k': 1.0} of the box is missing",
-    ),
     ("wing", put("corners", 0, "A", value=[[1.0]]), "A", "same shape at every corner"),
-    ("wing", put("box", value={}), "", "a box needs at least one axis"),
     ("circle", put("field", 0, value="w2 +"), "", "'w2 +' is no expression"),
-    (
-        "circle",
-        put("field", 0, value="__import__('os').getcwd()"),
-        "",
-        "is not known; an expression may hold",
-    ),
+    ("circle", put("field", 0, value="__import__('os').getcwd()"), "", "is not known; an expression may"),
     ("circle", put("states", value=["w1", "sin"]), "sin", "needs a plain name"),
     ("full order", put("certificate", "Q", value=[[1.0]]), "", "certificate: Q is not known"),
     ("full order", lambda c: c["certificate"].pop("P"), "", "certificate: P is missing"),
-    (
-        "full order",
-        put("certificate", "P", value=[[1.0]]),
-        "certificate: P",
-        "has shape (1, 1), needs (2, 2)",
-    ),
+    ("full order", put("certificate", "P", value=[[1.0]]), "certificate: P", "needs (2, 2)"),
     ("reduced order", put("certificate", "gamma", value=[[1.0]]), "", "gamma must be a number"),
-    ("reduced order", lambda c: c["certificate"].pop("gamma"), "", "certificate: gamma is missing"),
-    ("reduced order", lambda c: c["certificate"].pop("W"), "", "W"),
 ]
 
 
@@ -304,11 +237,6 @@ TAMPERED = [
     ("driven", put("plant", "A0", value=[[-1.0, 0.5], [0.0, -1.0]]), InfeasibleError),
     ("regulator", put("regulator", "G", value=[[1.0], [1.0]]), InfeasibleError),
     ("regulator", put("feedback", "L0", value=[[0.0, 0.0]]), CertificateError),
-    (
-        "regulator",
-        lambda c: c["feedback"]["L0"][0].append(1.000001 * c["feedback"]["L0"][0].pop()),
-        CertificateError,
-    ),
     ("regulator", put("feedback", "decay", value=-3.0), ParameterError),
     ("regulator", put("observer", "plant", "B", value=[[0.0], [2.0]]), CertificateError),
     ("regulator", put("observer", "plant", "domain", value=1.0), CertificateError),
@@ -339,11 +267,6 @@ def test_nothing_is_replaced_by_half_a_file(tmp_path: Path) -> None:
     assert [one.name for one in tmp_path.iterdir()] == ["cart.json"]
 
 
-def test_a_plant_has_nothing_to_audit() -> None:
-    with pytest.raises(ParameterError, match="design with a certificate"):
-        o.audit(kept.CART)
-
-
 @pytest.mark.parametrize("name", [None, 5, "", "folder", "missing/cart.json"])
 def test_a_place_that_holds_no_file_is_refused(tmp_path: Path, monkeypatch: Any, name: Any) -> None:
     monkeypatch.chdir(tmp_path)
@@ -357,7 +280,51 @@ def test_a_place_that_holds_no_file_is_refused(tmp_path: Path, monkeypatch: Any,
     assert wrong.value.field == "file"
 
 
-@pytest.mark.parametrize("thing", [None, "motor.json", kept.CART])
-def test_an_audit_needs_a_design(thing: Any) -> None:
-    with pytest.raises(ParameterError, match="an audit needs a design with a certificate, received"):
-        o.audit(thing)
+sp = pytest.importorskip("sympy")
+
+
+X, Y = sp.symbols("x y")
+
+
+LEAVES = st.sampled_from([X, Y, sp.Integer(-3), sp.Rational(2, 7), sp.pi, sp.sqrt(2)])
+
+
+EXPRESSIONS = st.recursive(
+    LEAVES,
+    lambda inner: st.one_of(
+        st.builds(lambda a, b: a + b, inner, inner),
+        st.builds(lambda a, b: a * b, inner, inner),
+        st.builds(lambda a: a**3, inner),
+        st.builds(lambda a: 1 / (1 + a**2), inner),
+        st.builds(sp.sin, inner),
+        st.builds(sp.tanh, inner),
+    ),
+    max_leaves=6,
+)
+
+
+@given(EXPRESSIONS)
+def test_an_expression_comes_back(expression: sp.Expr) -> None:
+    assert parsed(text_of(expression), "here") == expression
+
+
+def test_decimals_are_exact() -> None:
+    assert parsed("0.1*x", "here") * 10 == X
+    assert parsed("1e-3", "here") == sp.Rational(1, 1000)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x.real", "x[0]", "lambda: 1", "[x]", "x if y else 1", "f(x)", "sin(x, y)", "sin(*x)", "x == 1",
+        "x and y",
+        "(x := 1)", "'a'", "1j", "True", "x @ y", "x % 2", "x // 2", "9**9**9",
+        "2**(10**9 + 1/2)", "(1/3)**(-10**9 - 1/7)",
+        "2**100000", "1e999", "sqrt(-1)", "log(0)", "((9**99)**99)**99",
+        "1/0", "x/(1-1)", "import os", "", " ", "x" * 30_000, "(" * 500 + "x" + ")" * 500, "__import__('os')",
+    ],
+    ids=range(33),
+)  # fmt: skip
+def test_anything_else_is_refused(text: str) -> None:
+    with pytest.raises(ParameterError, match="here"):
+        parsed(text, "here")

@@ -10,17 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointpred.errors import InfeasibleError, ParameterError
-from pointpred_observers import (
-    Box,
-    ErrorSystem,
-    Generator,
-    ParameterVaryingSystem,
-    Persidskii,
-    certify_decay,
-    l2_gain,
-    trajectory,
-)
+import pointpred_observers as o
+from evidence.observers.designs import EXAMPLES, compared
+from observers.tests import kept_designs as kept
+from pointpred.errors import InfeasibleError
 from pointpred_observers.files import decoded, encoded
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
 from pointpred_observers.interconnected.regulator import Regulator
@@ -28,6 +21,7 @@ from pointpred_observers.proofs.error_system import sloped_system
 from pointpred_observers.proofs.l2_gain import h_infinity
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import assumption_3_2_2, design_state_feedback
+from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 RESONANCES = [(3.0, 0.1), (0.2, 0.4), (1e3, 0.01)]
@@ -41,38 +35,9 @@ def stable(rng: np.random.Generator, n: int, *, discrete: bool = False) -> np.nd
     return a - (float(values.real.max()) + rng.uniform(0.05, 1.0)) * np.eye(n)
 
 
-def linear(a: Any, b: Any, c: Any, time: str = "continuous") -> ErrorSystem:
+def linear(a: Any, b: Any, c: Any, time: str = "continuous") -> o.ErrorSystem:
     a, b, c = (np.asarray(one, np.float64) for one in (a, b, c))
-    return ErrorSystem(a[None], b[None], c, ("",), {"d": b.shape[1]}, time)
-
-
-@pytest.mark.parametrize(
-    ("changed", "field"),
-    [
-        ({"time": "Discrete"}, "time"),
-        ({"A": [[[1.0, 0.0]]]}, "A"),
-        ({"A": [[0.5]]}, "A"),
-        ({"A": [[[float("nan")]]]}, "A"),
-        ({"A": 0.5}, "A"),
-        ({"B": [[[1.0]], [[2.0]]]}, "A"),
-        ({"B": "none"}, "B"),
-        ({"C": [[1.0, 2.0]]}, "C"),
-        ({"names": ()}, "names"),
-        ({"disturbances": {"d": 2}}, "disturbances"),
-        ({"disturbances": {"d": "one"}}, "disturbances"),
-        ({"domain": -1.0}, "domain"),
-    ],
-)
-def test_an_error_system_of_ones_own_is_checked(changed: dict[str, Any], field: str) -> None:
-    """With "Discrete" read as continuous, e+ = -3 e would be proved to decay."""
-    right: dict[str, Any] = {"A": [[[-3.0]]], "B": [[[1.0]]], "C": [[1.0]], "names": [""]}
-    right |= {"disturbances": {"d": 1}, "time": "continuous"}
-    assert certify_decay(ErrorSystem(**right)).bound.decay > 0.0
-    with pytest.raises(InfeasibleError):
-        certify_decay(ErrorSystem(**{**right, "time": "discrete"}))
-    with pytest.raises(ParameterError) as refused:
-        ErrorSystem(**{**right, **changed})
-    assert refused.value.field == field
+    return o.ErrorSystem(a[None], b[None], c, ("",), {"d": b.shape[1]}, time)
 
 
 @pytest.mark.parametrize(("frequency", "damping"), RESONANCES)
@@ -106,15 +71,6 @@ def test_no_frequency_exceeds_the_norm_and_one_reaches_it(seed: int, n: int, dis
     assert gain(at) == pytest.approx(norm, rel=1e-8)
 
 
-def test_python_control_computes_the_same_norm() -> None:
-    control = pytest.importorskip("control", reason="python-control is a tool of the tests only")
-    rng = np.random.default_rng(4)
-    for n in (1, 4):
-        a, b, c = stable(rng, n), rng.normal(size=(n, 2)), rng.normal(size=(2, n))
-        other = control.system_norm(control.ss(a, b, c, np.zeros((2, 2))), "inf", tol=1e-8)
-        assert h_infinity(a, b, c)[0] == pytest.approx(other, rel=1e-6)
-
-
 @pytest.mark.parametrize("time", ["continuous", "discrete"])
 def test_the_proved_gain_of_a_linear_system_is_its_norm(time: str) -> None:
     rng = np.random.default_rng(11)
@@ -126,7 +82,7 @@ def test_the_proved_gain_of_a_linear_system_is_its_norm(time: str) -> None:
             rng.normal(size=(n, 1)) / units[:, None],
             rng.normal(size=(1, n)) * units,
         )
-        found = l2_gain(linear(a, b, c, time))
+        found = o.l2_gain(linear(a, b, c, time))
         assert found.lower <= found.upper <= 1.002 * found.lower
         assert min(found.margins.values()) > 0.0
 
@@ -139,14 +95,14 @@ def test_no_signal_is_amplified_more_than_the_proved_gain(seed: int) -> None:
         np.array([[0.0, 1.0], [-2.0, -1.0]]), np.array([[0.0], [-1.0]]), np.array([[1.0, 0.0]]),
         {"d": np.array([[0.0], [1.0]])}, slopes=((0.0, 1.0),), time="continuous",
     ).seen_as([[1.0, 0.0]])  # fmt: skip
-    found = l2_gain(system)
+    found = o.l2_gain(system)
     w, h = rng.uniform(0.5, 3.0), 0.05
     times = np.arange(0.0, 40.0, h)
 
     def push(t: float) -> float:
         return float(np.sin(w * t) * np.exp(-0.1 * t) * 5.0)
 
-    states = trajectory(
+    states = o.trajectory(
         lambda t, x: [x[1], -2.0 * x[0] - x[1] - np.tanh(x[0]) + push(t)], [0.0, 0.0], times, step_s=h
     )
     ratio = np.linalg.norm(states[:, 0]) / np.linalg.norm([push(t) for t in times])
@@ -162,7 +118,7 @@ def test_errors_stay_below_the_bound_for_slopes_that_change(seed: int, discrete:
     a = np.array([[0.5, 0.3], [-0.2, 0.4]]) if discrete else np.array([[-1.0, 2.0], [-1.0, -2.0]])
     f, h = np.array([[0.2], [0.1]]), np.array([[1.0, -1.0]])
     system = sloped_system(a, f, h, {"d": np.eye(2)}, slopes=((-0.5, 1.0),), time=time)
-    found = certify_decay(system)
+    found = o.certify_decay(system)
     assert min(found.margins.values()) > 0.0
     phases, pushes = rng.uniform(0.0, 6.0, 3), 0.3 * rng.normal(size=2)
 
@@ -172,7 +128,7 @@ def test_errors_stay_below_the_bound_for_slopes_that_change(seed: int, discrete:
 
     start = rng.normal(size=2)
     times = np.arange(0, 30) if discrete else np.arange(0.0, 8.0, 0.25)
-    errors = trajectory(field, start, times, time=time)
+    errors = o.trajectory(field, start, times, time=time)
     largest = float(np.linalg.norm(pushes))
     for t, e in zip(times, errors, strict=True):
         assert np.linalg.norm(e) <= found.bound(float(t), float(np.linalg.norm(start)), d=largest) + 1e-12
@@ -180,12 +136,12 @@ def test_errors_stay_below_the_bound_for_slopes_that_change(seed: int, discrete:
 
 def test_the_decay_of_a_normal_system_is_certified_up_to_its_eigenvalue() -> None:
     system = linear(np.array([[-1.0, 5.0], [-5.0, -1.0]]), np.eye(2), np.eye(2))
-    found = certify_decay(system, decay=0.99)
+    found = o.certify_decay(system, decay=0.99)
     assert found.bound.overshoot == pytest.approx(1.0, abs=1e-3)
     with pytest.raises(InfeasibleError):
-        certify_decay(system, decay=1.01)
+        o.certify_decay(system, decay=1.01)
     with pytest.raises(InfeasibleError, match=r"eigenvalue 0\.5 at D = diag\(1\.5\), must lie left of 0"):
-        certify_decay(
+        o.certify_decay(
             sloped_system(
                 -np.eye(1), np.eye(1), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 1.5),), time="continuous"
             )
@@ -193,15 +149,14 @@ def test_the_decay_of_a_normal_system_is_certified_up_to_its_eigenvalue() -> Non
 
 
 def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
-    """The observer of (3.5) and its generator are run."""
-    plant = Persidskii(
+    plant = o.Persidskii(
         [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], lambda s: np.array([asinh(s[0])]), [0.0, 1.0],
         C0=[[1.0, 0.0]], slopes=(0.3, 1.0), domain=3.0,
     )  # fmt: skip
-    generator = Generator([[0.0, 1.0], [-1.0, -0.2]], [0.0, -0.5], [[1.0, 0.0]])
+    generator = o.Generator([[0.0, 1.0], [-1.0, -0.2]], [0.0, -0.5], [[1.0, 0.0]])
     pi_map = np.eye(2)
     design = DrivenObserver.design(
-        Persidskii(generator.S0, [0.0, -0.5], plant.H, plant.f, C0=plant.C0, domain=3.0),
+        o.Persidskii(generator.S0, [0.0, -0.5], plant.H, plant.f, C0=plant.C0, domain=3.0),
         generator=generator,
         Pi=pi_map,
         decay=0.5,
@@ -219,11 +174,11 @@ def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
         a = (1.0 - share) * system.A[0] + share * system.A[1]
         assert a @ (w - other) + system.B[0] @ np.concatenate([v, eps, dist]) == pytest.approx(true - copy)
     assert list(system.disturbances) == ["v", "eps", "w"]
-    assert l2_gain(system.disturbed_by("v")).upper <= l2_gain(system).upper * 1.001
+    assert o.l2_gain(system.disturbed_by("v")).upper <= o.l2_gain(system).upper * 1.001
 
 
 def test_the_error_system_of_a_reduced_observer_is_what_its_error_does() -> None:
-    plant = Persidskii(
+    plant = o.Persidskii(
         [[0.0, 1.0], [0.0, -0.1]], [0.0, -2.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0]
     )
     design = ReducedOrderObserver.design(plant, Pi=[[0.0, 1.0]], decay=3.0)
@@ -243,70 +198,64 @@ def test_the_error_system_of_a_reduced_observer_is_what_its_error_does() -> None
 
 
 def test_the_error_system_of_an_unknown_input_observer_has_its_zeros() -> None:
-    system = ParameterVaryingSystem(
+    system = o.ParameterVaryingSystem(
         lambda p: np.array([[0.0, 1.0], [0.0, p["k"]]]), lambda p: np.array([[1.0], [0.0]]), np.eye(1, 2)
     )
-    observer = UnknownInputObserver.design(system, Box({"k": (-3.0, -1.0)}), decay=0.5)
+    observer = UnknownInputObserver.design(system, o.Box({"k": (-3.0, -1.0)}), decay=0.5)
     errors = observer.error_system()
     assert errors.names == ("k = -3", "k = -1")
     for a, zero in zip(errors.A, (-3.0, -1.0), strict=True):
         assert np.abs(np.linalg.eigvals(a) - zero).min() < 1e-9
-    assert certify_decay(errors, decay=0.5).bound.decay == 0.5
+    assert o.certify_decay(errors, decay=0.5).bound.decay == 0.5
 
 
 def test_the_error_system_of_an_interlaced_observer() -> None:
-    sp = pytest.importorskip("sympy")
-    from pointpred_observers import SymbolicGenerator, SymbolicSystem, interlaced
-    from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
-
-    x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
-    plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -sp.sin(x2) + u), u, outputs=(x2,))
-    steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), upper=1, first=w1, degree=2)
+    steady = o.interlaced(kept.SYMBOLIC, kept.CIRCLE, upper=1, first=kept.W1, degree=2)
     observer = InterlacedObserver.design(steady, decay=0.3, gain=[[1.0], [0.0]])
     system = observer.error_system()
     assert system.A[0] == pytest.approx(np.array([[-1.0, 1.0], [-1.0, 0.0]]))
     # From noise to w1^: (s + ...) / (s^2 + s + 1), whose gain at 1 rad/s is 1.
-    found = l2_gain(system.seen_as([[1.0, 0.0]]))
+    found = o.l2_gain(system.seen_as([[1.0, 0.0]]))
     assert found.lower == pytest.approx(1.0, rel=1e-6)
     assert found.frequency == pytest.approx(1.0, rel=1e-3)
 
 
-def test_what_cannot_be_is_named() -> None:
-    system = linear(-np.eye(1), np.eye(1), np.eye(1))
-    with pytest.raises(ParameterError, match="the disturbances are d, received w"):
-        system.disturbed_by("w")
-    with pytest.raises(ParameterError, match=r"C has shape \(1, 2\)"):
-        system.seen_as([[1.0, 0.0]])
-    with pytest.raises(InfeasibleError, match="eigenvalue 0"):
-        l2_gain(linear(np.zeros((1, 1)), np.eye(1), np.eye(1)))
-
-
-@pytest.mark.parametrize("slopes", [(1.0, 1.0), (0.7, 1.0)])
-def test_every_proof_with_slopes_of_a_domain_is_local(slopes: tuple[float, float]) -> None:
+def test_every_proof_with_slopes_of_a_domain_is_local() -> None:
     """Equal bounds leave one corner, outside the domain the slopes are others: there 4 is not attracted."""
-    domain = 1.0 if slopes == (1.0, 1.0) else 0.5
-    f = "saturation" if slopes == (1.0, 1.0) else "tanh"
-    plant = Persidskii([[1.0]], [-3.0], [1.0], f, [1.0], None, [1.0], slopes=slopes, domain=domain)
+    f, one = {"slopes": (1.0, 1.0), "domain": 1.0}, [1.0]
+    plant = o.Persidskii([[1.0]], [-3.0], one, "saturation", one, None, one, **f)
     assert plant.field(0.0, [4.0])[0] > 0.0
     observer, regulator = FullOrderObserver.design(plant), Regulator.design(plant)
     system = observer.error_system()
+    # A second state, not measured, upon which f of the first acts.
+    a0, a1, h = [[-1.0, 1.0], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.3]
+    fast = o.Persidskii(a0, a1, h, plant.f, C0=[1.0, 0.0], domain=1.0)
     local = [
         assumption_3_2_2(plant),
         system,
-        certify_decay(system),
-        l2_gain(system.disturbed_by("v")),
-        ReducedOrderObserver.design(_with_speed(plant), decay=0.5).error_system(),
+        o.certify_decay(system),
+        o.l2_gain(system.disturbed_by("v")),
+        ReducedOrderObserver.design(fast, decay=0.5).error_system(),
         design_state_feedback(plant, L1=[[0.0]]).certificate,
         decoded(encoded(Regulator.design(plant, L1=[[0.0]]))).feedback.certificate,
         regulator.observer.plant,
     ]
-    assert [one.domain for one in local] == [domain] * len(local)
+    assert [one.domain for one in local] == [1.0] * len(local)
     cancelled = design_state_feedback(plant, L1=[[3.0]]).certificate
     assert cancelled.domain == cancelled.system.domain == np.inf
 
 
-def _with_speed(plant: Persidskii) -> Persidskii:
-    """A second state, not measured, upon which f of the first acts."""
-    return Persidskii(
-        [[-1.0, 1.0], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.3], plant.f, C0=[1.0, 0.0], domain=plant.domain
-    )
+LONG = ("6", "7")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] if name in LONG else [])
+        for name in EXAMPLES
+        if name != "camera"
+    ],
+)
+def test_the_numbers_of_an_example_have_their_digits(name: str) -> None:
+    for example, what, ours, wanted in compared(name):
+        assert ours == pytest.approx(wanted, rel=1e-6), f"example {example}: {what}"

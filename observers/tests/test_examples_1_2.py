@@ -8,15 +8,11 @@ import numpy as np
 import pytest
 
 from pointpred.errors import CertificateError, DivergenceError
-from pointpred_observers import steady_state_map, trajectories, trajectory
-from pointpred_observers.examples import (
-    Bioreactor,
-    academic,
-)
+from pointpred_observers import steady_state_map, trajectory
+from pointpred_observers.examples import Bioreactor, academic
 from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.simulations import trajectories
 from pointpred_observers.thesis import residuals, theorem_3_2_1
-
-CHUA_GAIN = [[-0.34], [1.32], [5.35]]
 
 
 def largest(found: dict[str, Any]) -> float:

@@ -8,20 +8,22 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from pointpred_observers.inequalities import matrix_inequalities
 from scipy.linalg import solve_continuous_lyapunov
 
-from observers.tests.solvers import solved_by
-from pointpred.errors import (
-    CertificateError,
-    InfeasibleError,
-    ParameterError,
-    UndecidedError,
-)
+from pointpred.errors import CertificateError, InfeasibleError, UndecidedError
+from pointpred_observers import invariant_observer
+from pointpred_observers.camera import camera_box, camera_system
+from pointpred_observers.examples import UNMEASURED, academic, chua_circuits, two_masses
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.proofs import matrix_inequalities
 from pointpred_observers.proofs.affine import Affine, largest_margin, reach, scaled
 from pointpred_observers.proofs.audit import Inequalities
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.solver import CAP, Answer, rescaled, run
+from pointpred_observers.proofs.solver import CAP, Answer, run
+from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.thesis import certify_convergence
+from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
+from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 
 def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:
@@ -55,26 +57,11 @@ def test_a_certificate_exists_exactly_where_the_eigenvalues_say_so(n: int, seed:
     assert largest < 0.0
 
 
-def test_two_solvers_find_the_same_least_objective() -> None:
-    pytest.importorskip("cvxopt", reason="the second solver is a tool of the tests only")
-    a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-6.0, -11.0, -6.0]])
-    first = lyapunov(a).solve(minimise=trace)
-    with solved_by("CVXOPT"):
-        second = lyapunov(a).solve(minimise=trace)
-    assert first.objective == pytest.approx(second.objective, rel=1e-5)
-    assert np.allclose(first.values["P"], second.values["P"], rtol=1e-4, atol=1e-4)
-
-
 def test_infeasible_is_not_undecided() -> None:
     with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
         lyapunov(np.diag([-1.0, 0.1])).solve()
     with pytest.raises(UndecidedError, match="no P with a condition number below"):
         lyapunov(np.array([[-1.0, 1e6], [0.0, -1.0]]), kappa=1e8).solve()
-
-
-def test_a_system_on_the_edge_has_no_margin() -> None:
-    with pytest.raises((InfeasibleError, UndecidedError)):
-        lyapunov(np.array([[0.0, 1.0], [-1.0, 0.0]])).solve()
 
 
 def test_a_solver_that_lies_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -84,15 +71,6 @@ def test_a_solver_that_lies_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(matrix_inequalities, "run", lie)
     with pytest.raises(CertificateError, match=r"claims 0\.01, its matrices fail: A'P \+ PA has 0\.162"):
         lyapunov(np.array([[0.0, 1.0], [-2.0, -3.0]])).solve()
-
-
-def test_matrices_worse_than_their_bounds_are_no_solution(monkeypatch: pytest.MonkeyPatch) -> None:
-    def indefinite(problem: Affine, *, margin: float | None) -> Answer:
-        return Answer("optimal", np.array([-1.0]), 1e-2, None)
-
-    monkeypatch.setattr(matrix_inequalities, "run", indefinite)
-    with pytest.raises(CertificateError):
-        lyapunov(np.array([[1.0]])).solve()
 
 
 def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -175,12 +153,6 @@ def test_equalities_hold_exactly_and_contradictions_are_found() -> None:
         problem.equal("trace P = 7", lambda v: np.trace(v.P) - 7.0).solve()
 
 
-def test_an_equality_that_fails_is_named() -> None:
-    problem = lyapunov(-np.eye(2)).equal("trace P = 5", lambda v: np.trace(v.P) - 5.0)
-    with pytest.raises(CertificateError, match="trace P = 5 fails by 3"):
-        problem.check({"P": np.eye(2)})
-
-
 def test_rounding_is_an_excuse_only_where_it_is_one() -> None:
     a = np.array([[0.0, 1.0], [-1.0, -0.001]])
     with pytest.raises(CertificateError, match=r"entries rounded by 0\.001 could explain it"):
@@ -197,41 +169,6 @@ def test_diagonals_and_numbers_are_never_negative() -> None:
     assert solution.values["F"].shape == (1, 2)
     with pytest.raises(CertificateError, match="D >= 0 fails: its least value is -1"):
         problem.check({"D": np.diag([-1.0, 0.0]), "g": 1.0, "F": [[0.0, 0.0]]})
-
-
-@pytest.mark.parametrize(
-    ("given", "told"),
-    [
-        ({}, r"needs the matrices \['P'\], received \[\]"),
-        ({"P": np.eye(3)}, r"P has shape \(3, 3\), needs \(2, 2\)"),
-        ({"P": np.array([[1.0, 2.0], [0.0, 1.0]])}, "P must be symmetric"),
-        ({"P": np.diag([1.0, np.nan])}, "P must be finite"),
-        ({"P": np.diag([1.0, np.inf])}, "P must be finite"),
-        ({"P": np.eye(2) * 1j}, "P must be real"),
-        ({"P": "I"}, "P must be a matrix of numbers"),
-    ],
-)
-def test_printed_matrices_of_the_wrong_kind(given: Any, told: str) -> None:
-    with pytest.raises(ParameterError, match=told):
-        lyapunov(-np.eye(2)).check(given)
-
-
-def test_blocks_that_are_no_inequality() -> None:
-    problem = MatrixInequalities("blocks").positive("P", 2)
-    with pytest.raises(ParameterError, match="square must be affine"):
-        MatrixInequalities("b").positive("P", 2).below("square", lambda v: v.P @ v.P).solve()
-    with pytest.raises(ParameterError, match="skew must be symmetric"):
-        MatrixInequalities("b").positive("P", 2).below("skew", lambda v: v.P @ np.diag([1.0, 2.0])).solve()
-    with pytest.raises(ParameterError, match="row must be a square matrix"):
-        MatrixInequalities("b").positive("P", 2).below("row", lambda v: v.P[:1]).solve()
-    with pytest.raises(ParameterError, match="an unknown needs a new name"):
-        problem.free("P", 1, 1)
-    with pytest.raises(ParameterError, match="an inequality needs a new name"):
-        problem.below("one", lambda v: v.P).below("one", lambda v: v.P)
-    with pytest.raises(ParameterError, match=r"margin must lie in \(0, 0.01\], received 0"):
-        MatrixInequalities("b", margin=0.0)
-    with pytest.raises(ParameterError, match=r"kappa must lie in \[10, 1e14\], received 1"):
-        MatrixInequalities("b", kappa=1.0)
 
 
 @pytest.mark.parametrize("scale", [1e-14, 1.0, 1e14])
@@ -268,22 +205,6 @@ def test_an_answer_too_large_for_a_symmetric_block_fails(monkeypatch: pytest.Mon
         problem.solve()
 
 
-def test_a_slack_of_zero_keeps_its_scale() -> None:
-    problem = MatrixInequalities("edge").positive("P", 2).below("P - 2", lambda v: v.P - 2.0 * np.eye(2))
-    edge = rescaled(problem._numbers(None, 100.0), np.array([2.0, 0.0, 2.0]))
-    assert max(float(np.abs(part).max()) for part in edge.problem.strict[0]) < 10.0
-
-
-def test_numbers_that_overflow_are_too_large_rather_than_not_affine() -> None:
-    problem = MatrixInequalities("huge").symmetric("P", 1)
-    problem.below("block", lambda v: 1e308 * (1e308 * v.P))
-    with (
-        np.errstate(all="ignore"),
-        pytest.raises(ParameterError, match="block holds numbers that are too large"),
-    ):
-        problem.check({"P": [[1.0]]})
-
-
 @pytest.mark.parametrize("size", [1.0, 1e8])
 def test_an_equality_is_judged_by_its_own_terms(size: float) -> None:
     """Gamma = 1e8 is no excuse for a printed F that is off, nor is a first row of 1e8 for the second."""
@@ -298,3 +219,52 @@ def test_an_equality_is_judged_by_its_own_terms(size: float) -> None:
     assert off(1e-10).check(values)["P S - F"] >= 0.0
     with pytest.raises(CertificateError, match=r"P S - F fails by 9\.[0-9]+e-07"):
         off(1e-6).check(values)
+
+
+CALM = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (0.0, 0.0), "dw": (0.0, 0.0)}
+
+
+DOORS: dict[str, Any] = {
+    "observer": lambda: DrivenObserver.design(academic()[0], generator=academic()[1], decay=0.0).gap,
+    "observer with a sector": lambda: (
+        DrivenObserver.design(
+            chua_circuits(0.3)[0], generator=chua_circuits(0.3)[1], Pi=np.eye(3), decay=0.0
+        ).gap
+    ),
+    "convergence": lambda: (
+        certify_convergence(invariant_observer(two_masses(1.0), UNMEASURED, [[-1, 0], [0, 0]]), decay=0.2).gap
+    ),
+    "reduced order": lambda: ReducedOrderObserver.design(two_masses(), Pi=UNMEASURED, decay=0.5).gap,
+    "interlaced": lambda: certify_interlaced([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 1.0]], decay=0.25).gap,
+    "unknown input": lambda: (
+        UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.05), **CALM), 0.01).certificate.gap
+    ),
+}
+
+
+@pytest.mark.parametrize("door", list(DOORS))
+def test_the_answer_tells_its_gap(door: str) -> None:
+    assert 0.0 <= DOORS[door]() < 1e-2
+
+
+def test_where_the_solver_fails_on_the_minimum_bisection_comes_near_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-6.0, -11.0, -6.0]])
+
+    def least() -> Any:
+        problem = MatrixInequalities("Lyapunov").positive("P", 3)
+        problem.below("A'P + PA", lambda v: a.T @ v.P + v.P @ a)
+        return problem.solve(minimise=lambda v: np.trace(v.P))
+
+    wanted = least()
+
+    def stalled(problem: Affine, *, margin: float | None) -> Answer:
+        if margin is not None:
+            return Answer("user_limit", None, -np.inf, None)
+        return run(problem, margin=margin)
+
+    monkeypatch.setattr(matrix_inequalities, "run", stalled)
+    reached = least()
+    assert reached.gap == np.inf  # nothing is proved without multipliers
+    assert wanted.objective <= reached.objective <= 1.1 * wanted.objective

@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pointpred.errors import CertificateError
 from pointpred_observers import SymbolicSystem, interlaced, trajectory
 from pointpred_observers.examples import SPRINGS, interlaced_masses, interlaced_states
 from pointpred_observers.plants.symbolic import SymbolicSteadyState
+from pointpred_observers.thesis import check_steady_state
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")
@@ -33,7 +35,6 @@ def nine() -> SymbolicSteadyState:
 
 
 def residuals(system: SymbolicSystem, maps: Any, ell: Any) -> list[Any]:
-    """Dpi s - F(pi, l), with nothing but substitution."""
     values = {**dict(zip(system.states, maps, strict=True)), U: ell}
     return [
         sp.simplify(sp.diff(m, W1) * W2 - sp.diff(m, W2) * W1 - f.subs(values, simultaneous=True))
@@ -136,3 +137,32 @@ def test_the_masses_converge_to_the_corrected_steady_state() -> None:
     assert errors[0] > 0.3
     assert 1e-3 < errors[1] < 1e-2
     assert errors[2] < 1e-7
+
+
+EIGHT, CIRCLE = interlaced_states()
+
+
+PI1 = sp.Rational(1, 40) * (W1**3 - 7 * W2**3 - 9 * W1**2 * W2 + 7 * W1 * W2**2)
+
+
+MAPS = (PI1, W1 / 2 - W2 / 2, W1, W2 + W1**3)
+
+
+INPUT = (W1**3 + 3 * W1**2 * W2 - W1 + W2) / (1 + W1**2)
+
+
+def test_example_8_as_corrected_and_as_printed() -> None:
+    assert check_steady_state(EIGHT, CIRCLE, MAPS, INPUT).exact
+    with pytest.raises(CertificateError, match=r"x3' leaves .*; x4' leaves"):
+        check_steady_state(EIGHT, CIRCLE, (*MAPS[:3], W2 + W1**2), INPUT)
+    with pytest.raises(CertificateError, match=r"fails: x4' leaves w1\*\*3 \+ w2$"):
+        check_steady_state(EIGHT, CIRCLE, MAPS, (-W1 + 3 * W1**2 * W2) / (1 + W1**2))
+
+
+def test_a_truncated_series_holds_up_to_its_degree() -> None:
+    series = sp.series(INPUT.subs(W2, 0), W1, 0, 4).removeO() + W2 + 3 * W1**2 * W2 - W1**2 * W2
+    found = check_steady_state(EIGHT, CIRCLE, MAPS, series, degree=3)
+    assert not found.exact
+    assert found.degree == 3
+    with pytest.raises(CertificateError, match="x4' leaves"):
+        check_steady_state(EIGHT, CIRCLE, MAPS, series, degree=5)

@@ -24,9 +24,7 @@ from pointpred_observers.triangular.interlaced_observer import (
     InterlacedCertificate,
     InterlacedEstimate,
     InterlacedObserver,
-    InterlacedStage,
     certify,
-    output_matrix,
     theorem_4_4_1,
 )
 
@@ -165,14 +163,6 @@ def test_it_follows_the_differential_equation_between_irregular_samples(observer
         assert rows[i] == pytest.approx(answer.y[:, -1], abs=1e-10)
 
 
-def test_a_rise_from_nothing_is_seen_at_once(observer: InterlacedObserver) -> None:
-    """At rest with y = 0 the first derivative is zero, the second is not."""
-    stage, h = observer.stage(), 0.01
-    stage.update(0.0, 0.0)
-    expected = observer.certificate.L[:, 0] * h / 2
-    assert np.array(stage.update(1.0, h).w) == pytest.approx(expected, rel=2 * h)
-
-
 def test_the_maps_are_those_of_sympy_and_it_converges(observer: InterlacedObserver) -> None:
     stage = observer.stage()
     for t in np.arange(0.0, 60.0, 0.01):
@@ -221,21 +211,6 @@ def test_over_gaps_and_without_outputs_the_generator_runs_alone(observer: Interl
     assert stage.update(5.0, 1e5).w == (1.0, 0.5)
 
 
-def test_samples_far_apart_are_followed_without_a_gap_of_ones_own(observer: InterlacedObserver) -> None:
-    stage = InterlacedStage(observer, [0.0, 0.0])
-    for k in range(12):
-        estimate = stage.update(np.cos(2.0 * k), 2.0 * k)
-        alone = observer.stage().update(np.cos(2.0 * k), 2.0 * k)
-    assert np.abs(estimate.w).max() > 0.1
-    assert alone.w == (0.0, 0.0)
-    kept = pickle.dumps(stage)
-    with pytest.raises(EventError, match="sample more often, or give gap_s"):
-        stage.update(1.0, 1e5)
-    with pytest.raises(EventError, match="sample more often, or give gap_s"):
-        stage.walk(np.zeros(1, np.bool_), np.array([[1e5, 1.0]]))
-    assert pickle.dumps(stage) == kept
-
-
 def test_what_cannot_be_taken_in_changes_nothing(observer: InterlacedObserver) -> None:
     stage = observer.stage()
     stage.update(1.0, 1.0)
@@ -247,18 +222,6 @@ def test_what_cannot_be_taken_in_changes_nothing(observer: InterlacedObserver) -
             with pytest.raises(EventError, match=r"a sample (needs 1 inputs|must be)"):
                 stage.update(wrong, t)
     assert pickle.dumps(stage) == kept
-
-
-def test_an_observer_needs_linear_outputs_and_numbers(observer: InterlacedObserver) -> None:
-    assert output_matrix(eight()).tolist() == [[1.0, 0.0]]
-    with pytest.raises(ParameterError, match="needs outputs of the system, received none"):
-        output_matrix(eight(()))
-    with pytest.raises(ParameterError, match=r"output 1 must be C w with numbers C, received w1\*\*3 \+ w2"):
-        output_matrix(eight((sp.Symbol("x4"),)))
-    with pytest.raises(ParameterError, match="gap_s must be finite and above 0, received 0"):
-        observer.stage(gap_s=0.0)
-    with pytest.raises(ParameterError, match="start has shape"):
-        observer.stage(start=[1.0])
 
 
 def of(function: Any) -> SymbolicSteadyState:

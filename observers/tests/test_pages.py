@@ -1,12 +1,17 @@
-"""The pages of observers/docs are run, their links lead somewhere, and each can be reached."""
+"""Pages of observers/docs are run and reached; the version is the library's, the names of before load."""
 
 from __future__ import annotations
 
 import doctest
 import re
+import tomllib
+from importlib import import_module
 from pathlib import Path
 
 import pytest
+
+from pointpred import extras
+from pointpred.errors import MissingExtraError
 
 FOLDER = Path(__file__).parents[1] / "docs"
 PAGES = [FOLDER.parent / "README.md", *sorted(FOLDER.glob("*.md"))]
@@ -46,3 +51,35 @@ def test_a_page_shows_its_figures_and_their_command(name: str) -> None:
 def test_every_page_can_be_reached_from_the_index() -> None:
     index = (FOLDER.parent / "README.md").read_text(encoding="utf-8")
     assert {page.name for page in PAGES if f"](docs/{page.name})" not in index} == {"README.md"}
+
+
+def version(file: Path) -> str:
+    return str(tomllib.loads(file.read_text(encoding="utf-8"))["project"]["version"])
+
+
+def test_it_has_the_version_of_the_library() -> None:
+    assert version(FOLDER.parent / "pyproject.toml") == version(FOLDER.parents[1] / "pyproject.toml")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "name"),
+    [
+        ("pointpred.observers", "pointpred_observers", "Persidskii"),
+        ("pointpred.observers.examples", "pointpred_observers.examples", "two_masses"),
+        ("pointpred.camera", "pointpred_observers.camera", "DepthObserver"),
+    ],
+)
+def test_the_names_of_version_0_1_load_with_a_warning(old: str, new: str, name: str) -> None:
+    with pytest.warns(DeprecationWarning, match=f"is {new.removesuffix('.examples')} now"):
+        exec(f"from {old} import {name}", found := {})
+    assert found[name].__qualname__ == getattr(import_module(new), name).__qualname__
+
+
+@pytest.mark.parametrize("old", ["observers", "camera"])
+def test_without_the_distribution_the_old_name_says_what_to_install(
+    old: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pointpred.extras.find_spec", lambda name: None)
+    with pytest.raises(MissingExtraError) as refused:
+        exec(f"from pointpred.{old} import simulate")
+    assert str(refused.value).endswith(extras.install_command(of="pointpred-observers"))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pickle
 from typing import Any
 
 import numpy as np
@@ -11,13 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from pointpred.errors import DivergenceError, EventError, ParameterError
+from pointpred.errors import EventError, ParameterError
 from pointpred_observers import Generator, Persidskii, invariant_observer
 from pointpred_observers.interconnected.design import DrivenObserver
 from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.plants.nonlinearity import nonlinearity
-from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.thesis import regulator_stage
 
 
 def exactly(field: Any, start: Any, span: tuple[float, float], at: Any = None) -> Any:
@@ -70,91 +69,16 @@ def test_the_plain_law_is_the_compiled_one(seed: int, time: str) -> None:
     assert np.allclose(found, named.walk(begin, rows), rtol=1e-9, atol=1e-9)
 
 
-def test_varying_matrices_follow_their_differential_equation() -> None:
-    def n(t: float) -> Any:
-        return np.array([[-1.0 + np.sin(t), 2.0], [-2.0, -1.0 - 0.5 * np.cos(3.0 * t)]])
-
-    def k(t: float) -> Any:
-        return np.array([[np.cos(t)], [1.0]])
-
-    stage = PersidskiiStage(
-        n, [[0.0], [1.0]], lambda t: [[1.0, t]], k, "sin", R0=lambda t: [[t, 1.0]], start=[1.0, -1.0]
-    )
-    times = np.array([0.0, 0.1, 0.15, 0.6, 1.4])
-    inputs = np.array([1.0, -1.0, 2.0, 0.5, 0.0])
-    found = [float(stage.update(t, one)[0]) for t, one in zip(times, inputs, strict=True)]
-
-    def field(t: float, w: Any) -> Any:
-        change = n(t) @ w + k(t)[:, 0] * np.interp(t, times, inputs)
-        return change + np.array([0.0, np.sin(w[0] + t * w[1])])
-
-    w, wanted = np.array([1.0, -1.0]), [-1.0]
-    for i in range(1, 5):
-        w = exactly(field, w, (times[i - 1], times[i]))
-        wanted.append(float(times[i] * w[0] + w[1]))
-    assert found == pytest.approx(wanted, abs=1e-7)
-
-
 def test_an_f_of_several_arguments() -> None:
     """Predators and prey: the product of two states, which no name has."""
-    stage = PersidskiiStage(
-        np.diag([1.0, -1.0]),
-        [[-1.0], [1.0]],
-        np.eye(2),
-        None,
-        lambda s: np.array([s[0] * s[1]]),
-        start=[2.0, 1.0],
-    )
+
+    def f(s: Any) -> Any:
+        return np.array([s[0] * s[1]])
+
+    stage = PersidskiiStage(np.diag([1.0, -1.0]), [[-1.0], [1.0]], np.eye(2), None, f, start=[2.0, 1.0])
     stage.update(0.0)
     wanted = exactly(lambda t, x: [x[0] - x[0] * x[1], x[0] * x[1] - x[1]], [2.0, 1.0], (0.0, 0.9))
     assert stage.update(0.9) == pytest.approx(wanted, abs=1e-7)
-
-
-def test_a_discrete_stage_takes_the_matrices_of_its_index() -> None:
-    stage = PersidskiiStage(lambda k: [[1.0 + k]], None, None, [[1.0]], "sin", start=[1.0], time="discrete")
-    found = [float(stage.update(k, 10.0)[0]) for k in range(4)]
-    assert found == [1.0, 11.0, 32.0, 106.0]  # w+ = (1 + k) w + 10
-
-
-def test_plain_stages_keep_the_laws_of_stages() -> None:
-    def stage() -> PersidskiiStage:
-        return PersidskiiStage(varying, [[1.0]], [[1.0]], [[1.0, 2.0]], np.tanh, start=[0.5])
-
-    rng = np.random.default_rng(4)
-    rows = np.column_stack([np.cumsum(rng.uniform(0.01, 0.2, 20)), rng.normal(size=(20, 2))])
-    rows[7, 1] = np.nan
-    begin = np.zeros(20, np.bool_)
-    whole = stage().walk(begin, rows)
-    one_by_one, parts = stage(), stage()
-    for i, row in enumerate(rows):
-        assert np.array_equal(one_by_one.update(row[0], row[1:]), whole[i])
-    head = parts.walk(begin[:9], rows[:9])
-    tail = pickle.loads(pickle.dumps(parts)).walk(begin[9:], rows[9:])
-    assert np.array_equal(np.concatenate([head, tail]), whole)
-    assert np.array_equal(one_by_one.fresh().walk(begin, rows), whole)
-    one_by_one.reset()
-    assert np.array_equal(one_by_one.walk(begin, rows), whole)
-
-
-def varying(t: float) -> Any:
-    return [[-1.0 - 0.5 * np.sin(t)]]
-
-
-def test_a_plain_stage_that_diverges_is_unchanged() -> None:
-    stage = PersidskiiStage([[0.0]], [[1.0]], [[1.0]], None, lambda s: s**3, start=[1.0], gap_s=10.0)
-    stage.update(0.0)
-    before = stage.remembered()
-    with np.errstate(over="ignore", invalid="ignore"), pytest.raises(DivergenceError, match="every bound"):
-        stage.update(3.0)
-    assert stage.remembered() == before
-
-
-@pytest.mark.parametrize("wrong", [{"N": lambda t: [[1.0, 2.0]]}, {"K": lambda t: [[1.0], [1.0]]}])
-def test_a_function_of_the_wrong_shape_is_named(wrong: dict[str, Any]) -> None:
-    right: dict[str, Any] = {"N": [[-1.0]], "L": [[1.0]], "J": [[1.0]], "K": [[1.0]], "f": np.sin}
-    with pytest.raises(ParameterError) as refused:
-        PersidskiiStage(**{**right, **wrong})
-    assert refused.value.field == next(iter(wrong))
 
 
 def test_an_observer_of_varying_matrices_runs_as_it_is_designed() -> None:
@@ -206,24 +130,6 @@ def test_a_discrete_observer_of_varying_matrices_runs() -> None:
         x = plant.field(k, x, [np.cos(k)])
 
 
-def test_designs_for_a_function_run_like_those_for_its_name() -> None:
-    def plant(f: Any) -> Persidskii:
-        return Persidskii(
-            [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], f, [0.0, 1.0], None, [1.0, 0.0],
-            slopes=(0.0, 1.0),
-        )  # fmt: skip
-
-    generator = Generator([[0.0]], [[0.0]], L0=[[4.0]], L1=[[1.0]])
-    found = []
-    for f in ("tanh", np.tanh):
-        stage = DrivenObserver.design(plant(f), generator=generator, Pi=[[1.0], [2.0]], decay=1.0).stage()
-        reduced = ReducedOrderObserver.design(plant(f), Pi=[[0.0, 1.0]]).observer.stage()
-        found.append(
-            [[*stage.update(i / 20, np.sin(i)), *reduced.update(i / 20, [np.sin(i), 1.0])] for i in range(30)]
-        )
-    assert np.allclose(found[0], found[1], rtol=1e-6, atol=1e-7)
-
-
 @pytest.mark.parametrize("pole", [-300.0, -3e4])
 def test_a_fast_stage_takes_short_steps_by_default(pole: float) -> None:
     stage = PersidskiiStage([[pole]], None, None, [[-pole]], "sin", start=[1.0])
@@ -239,29 +145,10 @@ def test_the_default_step_does_not_depend_on_units() -> None:
     n = np.array([[-200.0, 1e4], [-1.0, -50.0]])
     for scale in (1e-6, 1.0, 1e6):
         d = np.diag([scale, 1.0])
-        stage = PersidskiiStage(
-            d @ n @ np.linalg.inv(d),
-            d @ [[30.0], [1.0]],
-            np.array([[1.0, 2.0]]) @ np.linalg.inv(d),
-            None,
-            "tanh",
-        )
+        back = np.linalg.inv(d)
+        j = np.array([[1.0, 2.0]]) @ back
+        stage = PersidskiiStage(d @ n @ back, d @ [[30.0], [1.0]], j, None, "tanh")
         assert stage.step_s == pytest.approx(0.0035, rel=0.1)
-
-
-def test_a_stage_whose_rate_grows_takes_shorter_steps() -> None:
-    stage = PersidskiiStage(lambda t: [[-1.0 - 1e3 * t]], None, None, None, "sin", start=[1.0])
-    for i in range(20):
-        found = stage.update(0.1 * i)[0]
-    assert abs(found) < 1e-9
-
-
-def test_a_fast_reduced_order_observer_runs_with_defaults() -> None:
-    plant = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0])
-    stage = invariant_observer(plant, [[0.0, 1.0]], [[-300.0]]).stage()
-    for i in range(50):
-        state = stage.update(0.05 * i, 0.015 * i)
-    assert state == pytest.approx([0.735, 0.3], abs=1e-9)
 
 
 def test_a_gap_that_a_very_fast_stage_cannot_bridge_is_named() -> None:
@@ -273,13 +160,125 @@ def test_a_gap_that_a_very_fast_stage_cannot_bridge_is_named() -> None:
     assert stage.update(1e-6) == pytest.approx(np.exp(-1.0), abs=0.01)
 
 
-def test_a_plain_stage_refuses_more_steps_than_it_takes() -> None:
-    stage = PersidskiiStage([[-1.0]], [[1.0]], [[1.0]], [[1.0]], lambda s: np.sin(s))
-    stage.update(0.0, 1.0)
-    before = stage.remembered()
-    for inputs in (1.0, None):
-        with pytest.raises(EventError, match=r"comes 1001 s after the last one, .* at most 1000 s"):
-            stage.update(1001.0, inputs)
-        assert stage.remembered() == before
-    with pytest.raises(EventError, match="sample more often, or give gap_s"):
-        stage.walk(np.zeros(1, np.bool_), np.array([[1001.0, 1.0]]))
+NAN = np.nan
+
+
+def driven() -> tuple[Persidskii, Generator, Any]:
+    """An output that holds f as well, and a generator with an input of its own."""
+    plant = Persidskii(
+        np.diag([-1.0, -2.0]), [[0.3], [0.0]], [[1.0, 0.0]], "tanh", np.eye(2), None, [[1.0, 0.5]], [[0.2]]
+    )
+    s0 = np.array([[0.0, 1.0], [-1.0, 0.0]])
+    l0 = s0 - plant.A0
+    return plant, Generator(s0, [[0.3], [0.0]], [[1.0, 0.0]], L0=l0, L1=[[0.0], [0.0]]), np.eye(2)
+
+
+def test_without_an_output_the_generator_runs_alone() -> None:
+    plant, generator, pi = driven()
+    stage = DrivenObserver.design(plant, generator=generator, Pi=pi, decay=0.5).stage(
+        start=[1.0, 0.0], step_s=1e-3
+    )
+    stage.update(0.0, 1.3)
+    before = stage.update(0.1, 1.2)[:2]
+    found = [stage.update(0.1 + h, None)[:2] for h in (0.2, 0.7, 1.6)]
+    found.append(stage.update(1.8, 0.4)[:2])  # the interval before it has no measurement at its begin
+
+    def alone(t: float, w: Any) -> Any:
+        return generator.S0 @ w + np.array([0.3 * np.tanh(w[0]), 0.0])
+
+    for h, w in zip((0.2, 0.7, 1.6, 1.7), found, strict=True):
+        assert w == pytest.approx(exactly(alone, before, (0.0, h)), abs=1e-9)
+    assert stage.update(1.9, 0.4)[:2] != pytest.approx(exactly(alone, before, (0.0, 1.8)), abs=1e-3)
+
+
+def test_in_discrete_time_too() -> None:
+    stage = PersidskiiStage(
+        [[0.5]], [[1.0]], [[1.0]], [[0.25]], "tanh", start=[1.0], time="discrete",
+        missing=MissingInputs.expected([[2.0]], [[4.0]], 1, "discrete"),
+    )  # fmt: skip
+    first = stage.update(0, 3.0)[0]
+    second = stage.update(1, None)[0]
+    assert second == pytest.approx(0.5 * first + np.tanh(first) + 0.75)
+    third = stage.update(2, 8.0)[0]  # N + K V0 = 1, L + K V1 = 2
+    assert third == pytest.approx(second + 2.0 * np.tanh(second))
+    assert stage.update(3, 0.0)[0] == pytest.approx(0.5 * third + np.tanh(third) + 2.0)
+
+
+def plant_with_input() -> Persidskii:
+    return Persidskii(
+        [[0.0, 1.0, 0.0], [-3.0, -0.2, 1.0], [0.0, -1.0, -0.5]], [0.0, -2.0, 0.5], [1.0, 0.0, 0.0], "tanh",
+        [0.0, 1.0, 0.0], None, [[1.0, 0.0, 0.0]],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("injection", [True, False])
+def test_a_reduced_order_observer_follows_the_plant_through_a_gap(injection: bool) -> None:
+    """From the exact state it stays exact without a measurement, and goes on so when they return."""
+    plant = plant_with_input()
+    pi, upsilon = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [[-3.0], [1.0]]
+    if not injection:
+        plant = Persidskii(plant.A0, None, None, "sin", plant.B, None, plant.C0)
+    stage = invariant_observer(plant, pi, upsilon, injection=injection).stage(
+        start=[0.4, -0.3, 0.2], step_s=1e-3
+    )
+
+    def u(t: float) -> float:
+        return 0.7 * t
+
+    x, last = np.array([0.4, -0.3, 0.2]), 0.0
+    for i, t in enumerate(np.concatenate([[0.0], np.cumsum(np.full(60, 0.01)), [0.65, 1.2, 2.0, 2.01]])):
+        if t > last:
+            x = exactly(lambda s, x: plant.field(s, x, [u(s)]), x, (last, t))
+        last = t
+        y = NAN if 20 <= i < 64 else x[0]
+        assert stage.update(t, [y, u(t)]) == pytest.approx(x, abs=3e-4)
+
+
+def test_one_of_several_inputs_is_replaced_and_the_others_count() -> None:
+    n, k = np.array([[-1.0, 0.4], [0.0, -2.0]]), np.array([[1.0, 0.0, 0.5], [0.0, 1.0, -0.3]])
+    v0 = np.array([[0.5, 1.0], [0.0, 0.0], [0.2, -0.4]])
+    v2 = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.3, 0.1, -0.2]])
+    missing = MissingInputs((True, False, False), v0, np.zeros((3, 0)), v2, np.zeros(3))
+    stage = PersidskiiStage(n, None, None, k, "sin", start=[1.0, 2.0], missing=missing, step_s=1e-3)
+    stage.update(0.0, [1.0, -1.0, 2.0])
+    found = stage.update(0.5, [NAN, 3.0, NAN])
+
+    def field(t: float, v: Any) -> Any:
+        w, last = v[:2], v[2]
+        inputs = np.array([v0[0] @ w, -1.0 + 8.0 * t, last])
+        return [*(n @ w + k @ inputs), v0[2] @ w + v2[2] @ inputs]
+
+    assert found == pytest.approx(exactly(field, [1.0, 2.0, 2.0], (0.0, 0.5))[:2], abs=1e-9)
+
+
+def test_an_input_that_nothing_predicts_keeps_its_last_value() -> None:
+    stage = PersidskiiStage([[-1.0]], None, None, [[1.0]], "sin", step_s=1e-3)
+    assert stage.update(0.0, None)[0] == 0.0
+    assert stage.update(0.5, None)[0] == 0.0  # zero before the first
+    assert stage.update(0.6, 2.0)[0] == 0.0
+    assert stage.update(0.9, NAN)[0] == pytest.approx(2.0 * (1.0 - np.exp(-0.3)))
+    assert stage.update(1.0, 5.0)[0] == pytest.approx(2.0 * (1.0 - np.exp(-0.4)))
+    regulator = regulator_stage(Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0]), Generator(
+        [[-1.0]], J=np.zeros((0, 1)), G=[[1.0]], L0=[[1.0]]
+    ))  # fmt: skip
+    regulator.update(0.0, 2.0)
+    assert regulator.update(0.4, None)[0] == pytest.approx(2.0 * (1.0 - np.exp(-0.4)))
+
+
+def test_samples_of_two_sensors_at_one_time_join() -> None:
+    apart = PersidskiiStage(-np.eye(2), None, None, np.eye(2), "sin")
+    joined = apart.fresh()
+    for i in range(5):
+        apart.update(0.1 * i, [1.0 + i, NAN])
+        apart.update(0.1 * i, [NAN, 2.0 - i])
+        found = joined.update(0.1 * i, [1.0 + i, 2.0 - i])
+    # The first of the two samples saw an interval without the other's input at its end.
+    assert apart.update(0.4, [NAN, NAN])[0] == pytest.approx(found[0], abs=1e-12)
+
+
+def test_only_nan_is_missing() -> None:
+    stage = PersidskiiStage([[-1.0]], None, None, [[1.0]], "sin")
+    with pytest.raises(EventError, match="NaN only for a missing input"):
+        stage.update(0.0, np.inf)
+    with pytest.raises(EventError, match="must be finite"):
+        stage.update(NAN, 0.0)

@@ -6,38 +6,28 @@ import numpy as np
 import pytest
 from scipy import signal
 
+from evidence.observers.designs import outcome
 from observers.tests.solvers import solved_by
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers import Persidskii, invariant_observer, trajectory
-from pointpred_observers.proofs.bounds import proved_bound
+from pointpred_observers.examples import two_masses
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
-from pointpred_observers.reduced_order.reversed_certificate import lipschitz, theorem_3_3_1, theorem_3_3_2
+from pointpred_observers.reduced_order.reversed_certificate import lipschitz
 from pointpred_observers.reduced_order.reversed_connection import Connection
 from pointpred_observers.simulations.trajectories import SeededSignal
-from pointpred_observers.thesis import certify_convergence
+from pointpred_observers.thesis import certify_convergence, theorem_3_3_1, theorem_3_3_2
 
 PI = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
 
 
 def masses(domain: float = 2.0, time: str = "continuous") -> Persidskii:
     """Two masses with a hardening spring between them, position and velocity of one measured (Example 5)."""
-    a0 = np.array(
-        [[0.0, 1.0, 0.0, 0.0], [-3.0, -0.6, 3.0, 0.6], [0.0, 0.0, 0.0, 1.0], [3.0, 0.6, -3.6, -2.6]]
-    )
-    a1, h = np.array([0.0, -3.0, 0.0, 3.0]), [1.0, 0.0, -1.0, 0.0]
+    one = two_masses(domain)
+    a0, a1, h = one.A0, one.A1[:, 0], one.H[0]
     slopes = (0.0, 3.0 * domain**2)
     if time == "discrete":
         return Persidskii(np.eye(4) + 0.1 * a0, 0.1 * a1, h, "sin", C0=np.eye(2, 4), time=time)
     return Persidskii(a0, a1, h, "cube", C0=np.eye(2, 4), slopes=slopes, domain=domain)
-
-
-def test_the_printed_bound_lacks_a_factor() -> None:
-    """e' = -0.1 e - delta ends at 10 abs(delta), beyond the printed abs(delta) / sqrt(gamma)."""
-    s, gamma, xi = 0.1, 0.19, 0.005
-    assert -2.0 * s + xi + gamma < 0.0
-    steady = 1.0 / s
-    assert steady > 1.0 / np.sqrt(gamma)
-    assert proved_bound([[1.0]], 0.5 * xi, {"delta": 1.0 / gamma})(0.0, 0.0, delta=1.0) >= steady
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -75,9 +65,6 @@ def test_the_margins_are_those_of_the_matrices() -> None:
     e *= np.sqrt(level / (e @ p @ e))
     assert abs(float(now.J[0] @ e)) == pytest.approx(1.0)  # from reach 1 to the domain 2
     assert radius == pytest.approx(np.sqrt(level / np.linalg.eigvalsh(p)[-1]))
-    for wrong in (float("nan"), -1.0, "far", None):
-        with pytest.raises(ParameterError, match="reach must be"):
-            found.region(wrong)
     with pytest.raises(CertificateError, match=r"reaches 2\.5, the slopes hold within 2 only"):
         found.region(2.5)
 
@@ -108,18 +95,9 @@ def test_the_theorems_do_not_speak_of_another_f_than_the_observers() -> None:
     for theorem in (theorem_3_3_1, theorem_3_3_2):
         with pytest.raises(ParameterError, match="slopes of f, 'atan', must hold everywhere"):
             theorem(observer, (0.0, 0.1))
-    with pytest.raises(ParameterError, match=r"gamma must be at least 1, .* received 0\.3") as refused:
-        theorem_3_3_2(observer, gamma=0.3)
-    assert refused.value.field == "gamma"
     with pytest.raises(InfeasibleError):
         theorem_3_3_2(observer, gamma=1.0).solve()
     assert theorem_3_3_1(observer, (-0.5, 2.0), 0.1).name == "Theorem 3.3.1"
-
-
-def test_upsilon_is_found_with_the_output_in_f() -> None:
-    free = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5)
-    assert free.certificate.bound.decay >= 0.5
-    assert np.abs(free.observer.at(0.0).R).max() > 0.1
 
 
 def test_the_compiled_stage_and_the_integrator_converge_alike() -> None:
@@ -210,17 +188,8 @@ def test_matrices_that_vary_are_certified_where_they_are_looked_at() -> None:
     assert len([name for name in found.margins if name.startswith("the inequality at")]) == 5
     with pytest.raises(ParameterError, match="the observer varies: give the times at which it is certified"):
         certify_convergence(observer, decay=1.0)
-    with pytest.raises(ParameterError, match="times must be finite"):
-        certify_convergence(observer, decay=1.0, times=[0.0, np.nan])
     with pytest.raises(InfeasibleError, match=r"has the eigenvalue 0\.5"):
         certify_convergence(invariant_observer(plant, [[0.0, 1.0]], [[0.5]]), times=[1.5 * np.pi])
-
-
-def test_given_matrices_are_audited() -> None:
-    now = invariant_observer(masses(), PI, [[-1.0, 0.0], [0.0, 0.0]]).at(0.0)
-    problem = theorem_3_3_1([now], ((0.0, 1.0),), 0.5, F=[[0.25], [0.0]])
-    with pytest.raises(CertificateError, match="P S1 - F"):
-        problem.check({"P": np.eye(2), "Xi": np.eye(2), "W": np.zeros((2, 2))})
 
 
 def test_the_lipschitz_matrix_certifies_what_one_constant_does_not() -> None:
@@ -235,3 +204,68 @@ def test_the_lipschitz_matrix_certifies_what_one_constant_does_not() -> None:
     assert min(theorem_3_3_2([one], [(-1.0, 1.0)]).solve().margins.values()) > 0.0
     with pytest.raises(InfeasibleError):
         theorem_3_3_2([one], gamma=2.0).solve()
+
+
+def test_a_printed_s0_is_audited_by_the_theorems_of_section_3_3() -> None:
+    printed = {"S0": [[-4.0]], "S1": [[1.0]], "J": [[1.0]]}
+    values = {"P": 1.0, "Xi": 1.0, "W": 1.0}
+    margins = theorem_3_3_1(printed, [(0.0, 1.0)], 1.0).check(values)
+    assert margins["the inequality"] == pytest.approx(8.0 - 1.0 - 1.0 - 2.0)
+    step = {"S0": [[0.5]], "S1": [[0.1]], "J": [[1.0]]}
+    found = theorem_3_3_2(step, [(-1.0, 1.0)]).solve().values
+    assert theorem_3_3_2(step, gamma=1.0).check(found)["P > 0"] > 0.0
+    with pytest.raises(ParameterError, match="J has 0 rows, needs 1"):
+        theorem_3_3_1({"S0": [[-4.0]], "S1": [[1.0]]}, [(0.0, 1.0)])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [3, 13])
+def test_nearly_unobservable_plants_are_designed(seed: int) -> None:
+    """Problems of the table of designs with P of a condition number of 1e10 in other axes."""
+    what, gap = outcome("`design_reduced_order`, linear", "nearly unobservable", seed)
+    assert what == "designed"
+    assert gap is not None
+    assert gap < 1e-2
+
+
+def tanks(coupling: float = 0.0) -> Persidskii:
+    """Three tanks in a row, of which the last level is measured."""
+    flows = [[-1.0, coupling, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, -1.0]]
+    slopes = [(0.3, 1.0)] * 3
+    return Persidskii(
+        np.zeros((3, 3)), flows, np.eye(3), np.arctan, C0=[0.0, 0.0, 1.0], slopes=slopes, domain=1.0
+    )
+
+
+@pytest.mark.parametrize("decay", [0.05, 0.1, 0.15])
+def test_the_bound_of_a_cascade_is_small(decay: float) -> None:
+    """With its rounding balanced to 1 the overshoot was 3e8."""
+    design = ReducedOrderObserver.design(tanks(), decay=decay)
+    assert design.certificate.bound.overshoot < 2.0
+    assert np.linalg.cond(design.certificate.values["P"]) < 10.0
+
+
+def test_the_levels_that_are_not_measured_keep_their_zeros() -> None:
+    now = ReducedOrderObserver.design(tanks(), decay=0.1).observer.at(0.0)
+    assert np.count_nonzero(now.S1) == 3
+    assert np.count_nonzero(now.J) == 2
+
+
+def test_what_decays_by_itself_needs_no_output_and_that_is_the_least() -> None:
+    design = ReducedOrderObserver.design(tanks(), decay=0.1)
+    assert not design.Upsilon.any()
+    assert design.gap == 0.0
+    faster = ReducedOrderObserver.design(tanks(), decay=0.5)
+    assert np.abs(faster.Upsilon).max() > 0.1
+    assert 0.0 < faster.gap < 1.0
+
+
+@pytest.mark.parametrize("time", ["continuous", "discrete"])
+def test_the_output_is_used_where_a_mode_is_too_slow(time: str) -> None:
+    plant = Persidskii([[0.9, 0.5], [0.0, 0.8]], C0=[1.0, 0.0], time=time)
+    for decay in (0.1, 0.3):  # a mode of 0.8 a step decays by 0.223
+        design = ReducedOrderObserver.design(plant, decay=decay)
+        unneeded = time == "discrete" and decay == 0.1
+        assert design.Upsilon.any() != unneeded
+        assert (design.gap == 0.0) == unneeded
+        assert design.certificate.bound.decay >= decay * (1.0 - 1e-9)

@@ -75,13 +75,10 @@ def test_it_follows_its_differential_equation_to_second_order(outputs: int) -> N
         d, y = sample(t)
         return np.asarray(gain @ d.T @ (y - d @ theta))
 
-    errors = errors_of(
-        lambda: GradientRegressor(3, outputs=outputs, gain=gain, start=start),
-        sample,
-        slope,
-        start,
-        (40, 80, 160),
-    )
+    def make() -> GradientRegressor:
+        return GradientRegressor(3, outputs=outputs, gain=gain, start=start)
+
+    errors = errors_of(make, sample, slope, start, (40, 80, 160))
     assert errors[2] < 1e-2
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
     assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)
@@ -212,17 +209,9 @@ def test_a_table_gives_what_single_samples_give(name: str) -> None:
         ("gradient", ([1.0], 1.0, 2.0), EventError, "regressor"),
         ("gradient", ([1.0, 2.0], [1.0, 2.0], 2.0), EventError, "output"),
         ("gradient", ([1.0, np.nan], 1.0, 2.0), EventError, "regressor"),
-        ("gradient", (["a", 1.0], 1.0, 2.0), EventError, "regressor"),
         ("gradient", ([1.0, 2.0], 1.0, 1.0), EventOrderError, "t"),
-        ("gradient", ([1.0, 2.0], 1.0, np.inf), EventError, "t"),
-        ("gradient", ([1.0, 2.0], 1.0, None), EventError, "t"),
-        ("nonlinear", ([1.0], 0.5, 1.0, 99.0), EventError, "regressor"),
-        *(
-            ("nonlinear", ([1.0, 1.0], weight, 1.0, 99.0), EventError, "weight")
-            for weight in (1.5, np.nan, "half")
-        ),
+        ("nonlinear", ([1.0, 1.0], 1.5, 1.0, 99.0), EventError, "weight"),
         ("nonlinear", ([1.0, 1.0], 0.5, 1.0, 0.0), EventOrderError, "t"),
-        ("nonlinear", ([1.0, 1.0], 0.5, 1.0, None), EventError, "t"),
         ("nonlinear", ([1.0, 1.0], 0.5, 1.0, 1e9), EventError, "t"),
         ("nonlinear", ([1.0, 1e200], 0.5, 1.0, 99.0), EventError, "t"),
     ],
@@ -236,41 +225,3 @@ def test_what_is_refused_changes_nothing(name: str, sample: Any, kind: type[Even
         stage.update(*sample)
     assert refused.value.field == field
     assert pickle.dumps(stage) == kept
-
-
-@pytest.mark.parametrize(
-    ("kind", "parameters"),
-    [
-        *(
-            (GradientRegressor, parameters)
-            for parameters in (
-                {"count": 0},
-                {"count": 2.5},
-                {"count": 2, "outputs": 33},
-                {"count": 2, "gain": 0.0},
-                {"count": 2, "gain": [1.0, 2.0, 3.0]},
-                {"count": 2, "gain": [[1.0, 2.0], [0.0, 1.0]]},
-                {"count": 2, "gain": "much"},
-                {"count": 2, "time": "both"},
-                {"count": 2, "normalised": True},
-                {"count": 2, "start": [1.0]},
-                {"count": 2, "start": "here"},
-            )
-        ),
-        *(
-            (NonlinearRegressor, {"count": 2, name: value})
-            for name, value in (
-                ("f", "sin"),
-                ("f", "cube"),
-                ("gain", 0.0),
-                ("start", [1.0]),
-                ("outputs", 1.5),
-            )
-        ),
-    ],
-)
-def test_the_constructor_names_the_wrong_parameter(kind: Any, parameters: dict[str, Any]) -> None:
-    with pytest.raises(ParameterError) as refused:
-        kind(**parameters)
-    assert refused.value.field == list(parameters)[-1]
-    assert refused.value.value == parameters[refused.value.field]

@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointpred.errors import ParameterError
 from pointpred_observers import RecursiveLeastSquares
 
 SEEDS = st.integers(0, 2**32 - 1)
@@ -100,17 +99,3 @@ def test_a_ridge_fades_like_a_sample_and_comes_back_after_reset() -> None:
     normal = (w.T * weights) @ w + left * np.eye(4)
     wanted = np.linalg.solve(normal, (w.T * weights) @ y + left * np.array([1.0, 2.0, 3.0, 4.0]))
     assert runs[0] == pytest.approx(wanted, rel=1e-7)
-
-
-@pytest.mark.parametrize(
-    ("parameters", "message"),
-    [
-        ({"ridge": -1.0}, "ridge must lie in"),
-        ({"start": [0.0, 0.0]}, "start needs a ridge above 0"),
-        ({"ridge": 1.0, "start": [0.0]}, "start must be 2 finite numbers"),
-        ({"ridge": 1.0, "start": [0.0, np.nan]}, "start must be 2 finite numbers"),
-    ],
-)
-def test_a_wrong_start_is_refused(parameters: dict[str, object], message: str) -> None:
-    with pytest.raises(ParameterError, match=message):
-        RecursiveLeastSquares(2, **parameters)  # type: ignore[arg-type]

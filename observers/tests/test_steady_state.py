@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers import Generator, Persidskii, steady_state_map, trajectory
-from pointpred_observers.thesis import closed_loop, residuals
+from pointpred_observers.interconnected.design import DrivenObserver
+from pointpred_observers.thesis import certify_tracking, closed_loop, residuals
 
 
 def matched(
@@ -144,71 +145,9 @@ def test_varying_matrices_need_a_constant_map_at_each_time() -> None:
     other = Persidskii(lambda t: [[-1.0 - t, 0.0], [0.0, -1.0]], None, None, "sin", B=[1.0, 1.0])
     with pytest.raises(InfeasibleError, match="cannot hold"):
         steady_state_map(other, generator, times=times)
-    for none in (None, []):
-        with pytest.raises(
-            ParameterError, match=r"the plant \(A0\) varies: give the times at which it is to hold"
-        ):
-            steady_state_map(other, generator, times=none)
+    with pytest.raises(ParameterError, match=r"\(A0\) varies: give the times at which it is to hold"):
+        steady_state_map(other, generator)
     assert steady_state_map(other, generator, times=[0.0]).Pi.round(9).tolist() == [[1.0], [1.0]]
-
-
-def test_a_generator_with_its_own_f_needs_the_corollary() -> None:
-    plant = Persidskii([[-1.0]], [[0.0]], [[1.0]], "sin", B=[1.0])
-    with pytest.raises(ParameterError, match="relaxed=True"):
-        steady_state_map(plant, Generator([[0.0]], L0=[1.0], f="tanh"))
-
-
-@pytest.mark.parametrize(
-    ("given", "told"),
-    [
-        ({"A0": [[1.0, 2.0]]}, r"A0 has shape \(1, 2\), needs \(1, 1\)"),
-        ({"A1": [[1.0], [1.0], [1.0]]}, r"A1 has shape \(3, 1\), needs \(2, any\)"),
-        ({"H": [[1.0]]}, r"H has shape \(1, 1\), needs \(any, 2\)"),
-        ({"B": [[1.0]]}, r"B has shape \(1, 1\), needs \(2, any\)"),
-        ({"C0": [[1.0]]}, r"C0 has shape \(1, 1\), needs \(any, 2\)"),
-        ({"C1": [[1.0, 2.0]]}, r"C1 has shape \(1, 2\), needs \(1, 1\)"),
-        ({"H": np.eye(2)}, "H has 2 rows, an elementwise f with 1 components needs 1"),
-        ({"A0": [[np.nan, 0.0], [0.0, 1.0]]}, "A0 must be finite"),
-        ({"A0": [[np.inf, 0.0], [0.0, 1.0]]}, "A0 must be finite"),
-        ({"A0": [[1j, 0.0], [0.0, 1.0]]}, "A0 must be real"),
-        ({"A0": "identity"}, "A0 must be a matrix of numbers"),
-        ({"A0": [[1.0, 2.0], [3.0]]}, "A0 must be a matrix of numbers"),
-        ({"time": "hybrid"}, "time must be 'continuous' or 'discrete', received 'hybrid'"),
-        ({"f": "sinus"}, "f must be a function or one of identity, sin"),
-        ({"f": ["sin", "sin"]}, "f needs 1 components"),
-        ({"slopes": (1.0, 0.0)}, "slopes need low <= high"),
-        ({"slopes": "steep"}, "slopes must be"),
-        ({"domain": 0.0}, "domain must lie above 0"),
-    ],
-)
-def test_plants_that_cannot_be(given: dict[str, Any], told: str) -> None:
-    sound: dict[str, Any] = {
-        "A0": -np.eye(2),
-        "A1": [0.0, 1.0],
-        "H": [1.0, 0.0],
-        "f": "sin",
-        "C0": [1.0, 0.0],
-    }
-    Persidskii(**sound)
-    with pytest.raises(ParameterError, match=told):
-        Persidskii(**{**sound, **given})
-
-
-@pytest.mark.parametrize(
-    ("given", "told"),
-    [
-        ({"S0": [[1.0, 2.0]]}, r"S0 has shape \(1, 2\), needs \(1, 1\)"),
-        ({"S1": [[1.0, 1.0]]}, r"S1 has shape \(1, 2\), needs \(1, 1\)"),
-        ({"G": [[1.0, 1.0]]}, r"G has shape \(1, 2\), needs \(1, 1\)"),
-        ({"L0": [[1.0], [2.0]]}, r"L0 has shape \(2, 1\), needs \(1, 1\)"),
-        ({"J": [[1.0], [2.0]]}, r"J has shape \(2, 1\), needs \(1, 1\)"),
-        ({"E": [[np.inf]]}, "E must be finite"),
-    ],
-)
-def test_generators_that_do_not_fit(given: dict[str, Any], told: str) -> None:
-    plant = Persidskii(-np.eye(2), [0.0, 1.0], [1.0, 0.0], "sin", [1.0, 1.0], None, [1.0, 0.0])
-    with pytest.raises(ParameterError, match=told):
-        steady_state_map(plant, Generator(**{"S0": [[0.0]], **given}))
 
 
 def test_a_plant_keeps_what_it_was_given() -> None:
@@ -231,3 +170,65 @@ def test_a_varying_plant_is_its_matrices_at_each_time() -> None:
     assert held.field(9.0, [0.5], u=0.7, rho=0.2, d=0.1).item() == pytest.approx(expected)
     with pytest.raises(ParameterError, match=r"A0 has shape \(1, 2\), needs \(1, 1\)"):
         Persidskii(lambda t: [[1.0]] if t == 0.0 else [[1.0, 2.0]], None, None, "sin").field(1.0, [1.0])
+
+
+@pytest.mark.parametrize("scale", [1e-12, 1.0, 1e12])
+def test_what_cannot_hold_cannot_hold_in_every_unit(scale: float) -> None:
+    """Time in other units multiplies A0, B and S0: Pi stays, and so does what contradicts it."""
+    plant = Persidskii([[-scale]], None, None, "sin", B=[scale])
+    assert steady_state_map(plant, Generator([[0.0]], L0=[2.0])).Pi == pytest.approx(2.0)
+    with pytest.raises(InfeasibleError, match=r"B L0 = 0 cannot hold: the least residual is "):
+        steady_state_map(plant, Generator([[-scale]], L0=[2.0]))
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+def test_a_wrong_map_is_refused_however_large_an_entry_is_elsewhere(unit: float) -> None:
+    """Inputs in units of 1e-9 make B large; the map 5 in place of 1 is wrong in all of them."""
+    plant = Persidskii([[-1.0]], None, None, "sin", B=[unit], C0=[1.0])
+    generator = Generator([[0.0]], L0=[1.0 / unit])
+    with pytest.raises(
+        InfeasibleError, match=r"Assumption 3\.2\.1: A0 Pi .* residual is 4, 0\.7 of its terms"
+    ):
+        DrivenObserver.design(plant, generator=generator, Pi=[[5.0]], decay=0.0)
+    design = DrivenObserver.design(plant, generator=generator, Pi=[[1.0]], decay=0.0)
+    assert min(design.margins.values()) > 0.0
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+def test_one_row_of_a_map_does_not_hide_another(unit: float) -> None:
+    """The second state, in other units, does not follow the map; the first row's terms are larger."""
+    plant = Persidskii(np.diag([-1.0, -2.0]), None, None, "sin", B=[1.0, 2.0 * unit], C0=[[1.0, 0.0]])
+    generator = Generator([[0.0]], L0=[1.0])
+    right = np.array([[1.0], [unit]])
+    assert steady_state_map(plant, generator).Pi == pytest.approx(right)
+    with pytest.raises(InfeasibleError, match=r"0\.0005 of its terms"):
+        DrivenObserver.design(plant, generator=generator, Pi=right * [[1.0], [1.001]], decay=0.0)
+
+
+def test_tracking_refuses_a_map_in_small_units() -> None:
+    """A0 = -1e7 belongs to the other state: it does not excuse the map of the first."""
+    plant = Persidskii(np.diag([-1.0, -1e7]), None, None, "sin", np.array([[1e-7], [1e7]]), None, np.eye(2))
+    regulator = Generator([[-1.0]], None, None, [[0.0, 0.0]], [1.0])
+    with pytest.raises(InfeasibleError, match=r"Assumption 3\.2\.1: A0 Pi"):
+        certify_tracking(plant, regulator, [[3e-3], [1.0]])
+
+
+def test_rounding_in_a_map_of_the_caller_is_no_failure() -> None:
+    """1e-17 stands where 0 is meant, in a row and in a matrix of its own."""
+    plant = Persidskii(
+        [[0.0, 1.0], [-2.0, -3.0]], [0.0, -2.0], [1.0, 0.0], "sin", [0.0, 1.0], None, [1.0, 0.0]
+    )
+    generator = Generator([[0.0, 1.0], [-2.0, -3.0]], [1e-17, -2.0], None, None, np.array([[1e-17, 0.0]]))
+    design = DrivenObserver.design(plant, generator=generator, Pi=np.eye(2) + 1e-17, decay=0.0)
+    assert min(design.margins.values()) > 0.0
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e11])
+def test_one_column_of_a_map_does_not_hide_another(unit: float) -> None:
+    """The first state follows the second signal wrongly, whose unit may be that of the second state."""
+    plant = Persidskii(np.diag([-1.0, -1.0]), None, None, "sin", np.eye(2), None, np.eye(2))
+    right = np.array([[1e4, 4e-4 * unit], [0.0, 8e-4 * unit]])
+    generator = Generator(np.zeros((2, 2)), L0=right)
+    assert min(DrivenObserver.design(plant, generator=generator, Pi=right, decay=0.0).margins.values()) > 0.0
+    with pytest.raises(InfeasibleError, match=r"Assumption 3\.2\.1: A0 Pi .* 0\.3 of its terms"):
+        DrivenObserver.design(plant, generator=generator, Pi=right * [[1.0, 2.0], [1.0, 1.0]], decay=0.0)

@@ -11,11 +11,12 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.linalg import solve_sylvester
 
-from pointpred.errors import InfeasibleError, ParameterError
+from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers import SymbolicGenerator, SymbolicSystem, interlaced
 from pointpred_observers.examples import oscillator
 from pointpred_observers.plants.polynomials import composed
 from pointpred_observers.plants.symbolic import SymbolicSteadyState
+from pointpred_observers.triangular.ranges import prove_nonzero
 
 sp = pytest.importorskip("sympy")
 W1, W2, U, Z, Z1, Z2, K = sp.symbols("w1 w2 u z z1 z2 k")
@@ -214,25 +215,6 @@ def test_the_cauchy_problem_of_the_print_gives_no_steady_state() -> None:
 
 
 @pytest.mark.parametrize(
-    ("function", "at"),
-    [
-        (sp.sin, 0), (sp.cos, 0), (sp.exp, 0), (sp.tanh, 0), (sp.atan, 0), (sp.log, 2), (sp.sqrt, 3),
-        (sp.cosh, 1),
-    ],
-)  # fmt: skip
-def test_composition_agrees_with_the_library(function: Any, at: int) -> None:
-    e = function(at + W1 + W1**2 / 3) / (2 - W1)
-    found = composed(e, {W1: sp.Poly(W1, W1)}, (W1,), 5).as_expr()
-    assert sp.simplify(found - sp.series(e, W1, 0, 6).removeO()) == 0
-
-
-@pytest.mark.parametrize("e", [1 / W1, sp.log(W1), sp.sqrt(W1), sp.log(W1 - 1)])
-def test_what_is_not_analytic_at_the_origin_is_refused(e: Any) -> None:
-    with pytest.raises(ParameterError, match="is not analytic at the origin"):
-        composed(e, {W1: sp.Poly(W1, W1)}, (W1,), 2)
-
-
-@pytest.mark.parametrize(
     ("row", "place"),
     [
         (X1 * U, "vanishes at w1 = 0, w2 = 0"),
@@ -256,15 +238,10 @@ def test_a_gain_may_vanish_outside_the_region() -> None:
     [
         (lambda: feedback(plant(X2**2, U)), "x1' must be affine in x2"),
         (lambda: feedback(plant(X3 + X2, X3, U)), r"x1' may contain x2, .*, received \['x3'\]"),
-        (lambda: feedback(plant(X2 + U, U)), r"x1' may contain x2, .*, received \['u'\]"),
-        (lambda: feedback(plant(X2, U), X2), "x1 must be a function of the generator, received"),
         (lambda: feedforward(plant(X2, X1 + U), 2), r"x2' may contain itself, .*, received \['x1'\]"),
         (lambda: feedforward(plant(1 - X1 + U), 2), "x1' must be zero at the origin, received 1"),
-        (lambda: feedforward(plant(-X1 + U), 0), r"degree must be a whole number in \[1, 15\], received 0"),
         (lambda: feedforward(plant(-X1 + U), 2.5), r"degree must be a whole number .*, received 2\.5"),
         (lambda: feedforward(plant(-X1 + sp.Abs(U)), 2), "has no power series that is known here"),
-        (lambda: feedforward(plant(-X1 + U), 2, zero=(W1,)), "zero must hold 0 maps, received 1"),
-        (lambda: interlaced(plant(X1 + U), OSCILLATOR, 2, W1), r"upper must be .* in \[0, 1\], received 2"),
         (
             lambda: interlaced(plant(-X1 + X2, U), OSCILLATOR, 1, W1),
             "x1' needs a power series: give its degree",
@@ -274,11 +251,7 @@ def test_a_gain_may_vanish_outside_the_region() -> None:
             r"no order of solving leads to .*: x1' needs \[x3\]; x2' needs",
         ),
         (lambda: SymbolicSystem(X[:2], (X2,), U), "system needs an equation a state: 2, received 1"),
-        (lambda: SymbolicSystem(("x",), (X2,), U), "needs symbols as states, received 'x'"),
-        (lambda: SymbolicSystem((X1, X1), (X1, X1), U), "system needs different symbols"),
-        (lambda: SymbolicSystem((X1,), (X1,), "u"), "the input must be a symbol, received 'u'"),
         (lambda: SymbolicSystem((X1,), (X1,), X1), "input need different symbols"),
-        (lambda: SymbolicGenerator((W1,), (1 + W1,)), "w1' must be zero at the origin, received 1"),
         (lambda: SymbolicGenerator((W1,), (W1**2,)).matrix(), "generator must be linear"),
         (
             lambda: SymbolicGenerator((W1, W2), (W1 + W2, W2 - W1)),
@@ -288,10 +261,8 @@ def test_a_gain_may_vanish_outside_the_region() -> None:
             lambda: SymbolicGenerator((W1, W2), (W2, 0 * W1)),
             r"neutrally stable .*the eigenvalue 0 is multiple, and a motion of it grows with t",
         ),
-        *(
-            (lambda wrong=wrong: plant(wrong), r"needs a(n| finite real) expression, received")
-            for wrong in (sp.nan, sp.oo, sp.I, "3 +", [1], float("nan"))
-        ),
+        (lambda: plant("3 +"), "needs an expression, received"),
+        (lambda: plant(sp.oo), "needs a finite real expression, received"),
     ],
 )
 def test_what_has_another_form_is_refused_with_a_reason(call: Any, message: str) -> None:
@@ -312,3 +283,41 @@ def test_parameters_get_their_values_later() -> None:
     assert feedback(system.with_values({K: 0.1})).input == W1 / 10 + W2
     with pytest.raises(ParameterError, match="are no parameters of the system"):
         system.with_values({X1: 1})
+
+
+W = (W1, W2)
+
+
+@pytest.mark.parametrize(
+    ("e", "region"),
+    [
+        (1 + W1**2, None), (sp.exp(W1 * W2), None), (2 + sp.sin(W1), None), (sp.Integer(-3), None),
+        (sp.Symbol("k"), None), (1 + W1**2 + W1 * W2 + W2**2, [(-3, 3), (-3, 3)]),
+        (W1 - 2, [(-1, 1), (0, 0)]), (sp.Rational(1, 3) - W1, [(-1, 0.333), (0, 1)]),
+    ],
+)  # fmt: skip
+def test_what_vanishes_nowhere_is_proved(e: Any, region: Any) -> None:
+    prove_nonzero("g", e, W, region)
+
+
+@pytest.mark.parametrize(
+    ("e", "region", "place"),
+    [
+        (W1**2 - 2, None, r"vanishes at w1 = -?1\.41421"),
+        (W1 * W2 + 1, None, r"vanishes at w1 = -1, w2 = 1"),
+        (W1**2 + W2**2, [(-1, 1), (-2, 2)], "vanishes at w1 = 0, w2 = 0"),
+        (sp.sin(W1), [(3.0, 4.0), (0, 1)], r"vanishes at w1 = 3\.14159"),
+        (1 / (W1 - 1), [(0.0, 1.5), (0, 1)], "has no value at w1 = 1,"),
+        ((W1 + 1) ** 2 - W1**2 - 2 * W1 - 1, None, "vanishes everywhere"),
+    ],
+)
+def test_a_place_where_it_vanishes_is_named_and_true(e: Any, region: Any, place: str) -> None:
+    with pytest.raises(InfeasibleError, match=f"^g {place}"):
+        prove_nonzero("g", e, W, region)
+
+
+def test_what_is_neither_is_undecided() -> None:
+    with pytest.raises(UndecidedError, match=r"neither shown to vanish nowhere nor found .* give a region"):
+        prove_nonzero("g", (W1 - sp.pi) ** 2, W, None)
+    with pytest.raises(ParameterError, match=r"g = k\*w1 \+ 1 needs values for \['k'\]"):
+        prove_nonzero("g", 1 + sp.Symbol("k") * W1, W, None)

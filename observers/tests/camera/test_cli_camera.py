@@ -99,12 +99,6 @@ def test_gravity_is_removed(simulated: Path, command: Callable, given: str) -> N
         assert "up" in command("camera", "run", felt, *FOCAL, "--up", wrong).err
 
 
-def test_json_on_stdout_is_all_there_is(simulated: Path, command: Callable) -> None:
-    left = command("camera", "run", simulated, *FOCAL, "--json", "-")
-    assert json.loads(left.out)["version"] == 1
-    assert json.loads(left.out)["rmse"] is None
-
-
 def test_images_are_followed(tmp_path: Path, command: Callable) -> None:
     cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
     from observers.tests.camera.rendering import render
@@ -138,7 +132,6 @@ def test_images_are_followed(tmp_path: Path, command: Callable) -> None:
         (("--start", "0"), 2, "--start: the depth must be positive"),
         (("--start", "1,2,3"), 2, "--start needs a depth in m, or DEPTH,VELOCITY"),
         (("--focal-px", "-1"), 2, "focal_px must lie in"),
-        (("--noise", "-1"), 2, "--noise must not be negative, received -1"),
         (("--noise", "nan"), 2, "--noise must not be negative, received nan"),
     ],
 )
@@ -167,11 +160,8 @@ def test_files_that_cannot_be_used_name_the_place(simulated: Path, command: Call
     assert "needs at least 2 rows, received 1" in run(lines[:2])
 
 
-@pytest.mark.parametrize(
-    "content", ["t,x,y\n".encode("utf-16"), bytes(range(128, 256)), b"\x89PNG\r\n\x1a\n\0"]
-)
-def test_what_is_no_csv_is_named(simulated: Path, command: Callable, content: bytes) -> None:
-    simulated.write_bytes(content)
+def test_what_is_no_csv_is_named(simulated: Path, command: Callable) -> None:
+    simulated.write_bytes(b"\x89PNG\r\n\x1a\n\0")
     left = command("camera", "run", simulated, *FOCAL)
     assert left.code == 1
     assert f"{simulated}: is no CSV file in UTF-8" in left.err
@@ -182,11 +172,8 @@ def test_what_is_no_csv_is_named(simulated: Path, command: Callable, content: by
     ("line", "said"),
     [
         ("0.0,0,0,0,0", "row 0: depth_m must be positive, received 0.0"),
-        ("0.0,-1,0,0,0", "row 0: depth_m must be positive, received -1.0"),
-        ("0.0,nan,0,0,0", "row 0: depth_m must be finite, received nan"),
         ("0.0,1,0,0,inf", "row 0: vz must be finite, received inf"),
         ("0.0,1,0,0,0,7", "line 2: has more fields than the header"),
-        ("0.0,1,0,0", "line 2: vz is empty"),
     ],
 )
 def test_a_truth_that_cannot_be_is_named(simulated: Path, command: Callable, line: str, said: str) -> None:
@@ -218,21 +205,3 @@ def test_simulate_replaces_nothing_unasked(simulated: Path, command: Callable) -
     assert command("camera", "simulate", *FOCAL, "--out", simulated, "--force", "--seconds", "1").code == 0
     assert "SCENARIO must be one of" in command("camera", "simulate", "x", *FOCAL).err
     assert "Missing option" in command("camera", "simulate").err
-
-
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
-        (("--seed", "-1"), "--seed must be at least 0, received '-1'"),
-        (("--seconds", "1e6"), "at most 1e+07 samples can be simulated, received 1e+06 s x 33 images/s"),
-        (("--seconds", "0"), "duration_s must lie in (0, 1e6]"),
-    ],
-)
-def test_what_cannot_be_simulated_is_told_in_a_line(
-    tmp_path: Path, command: Callable, change: tuple[str, ...], said: str
-) -> None:
-    left = command("camera", "simulate", *FOCAL, "--out", tmp_path / "c.csv", *change)
-    assert left.code == 2
-    assert said in left.err
-    assert left.err.count("\n") == 1
-    assert not list(tmp_path.iterdir())

@@ -10,7 +10,7 @@ from pointpred.errors import ParameterError
 from pointpred_observers.camera import model
 from pointpred_observers.camera.model import camera_system
 from pointpred_observers.plants.varying import invariant_zeros
-from pointpred_observers.plants.zeros import decoupling, fixed_modes, kernel, unobservable
+from pointpred_observers.plants.zeros import decoupling, fixed_modes, unobservable
 
 
 def rosenbrock(a: np.ndarray, f: np.ndarray, c: np.ndarray) -> np.ndarray:
@@ -97,10 +97,6 @@ def test_ranks_are_named() -> None:
         decoupling(np.eye(3, 2), np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]))
     with pytest.raises(ParameterError, match="full column rank 2, its rank is 1"):
         decoupling(np.ones((3, 2)), np.eye(2, 3))
-    with pytest.raises(ParameterError, match=r"F has shape \(3, 2\), C has shape \(2, 4\)"):
-        decoupling(np.ones((3, 2)), np.eye(2, 4))
-    with pytest.raises(ParameterError, match="F needs a column for each unknown input, received none"):
-        decoupling(np.zeros((3, 0)), np.eye(2, 3))
 
 
 @pytest.mark.parametrize("scale", [1e-12, 1.0, 1e12])
@@ -111,8 +107,3 @@ def test_an_input_that_rounding_alone_lets_through_is_not_seen(scale: float) -> 
         decoupling(f, np.array([[0.3, -0.2, -0.1]]))
     small = decoupling(f, np.array([[0.3, -0.2, -0.1 + 1e-6]]))
     np.testing.assert_allclose(small @ f / scale, 0.0, atol=1e-9)
-
-
-def test_kernel_of_what_has_none_is_empty() -> None:
-    assert kernel(np.eye(3)).shape == (3, 0)
-    assert invariant_zeros(np.eye(2), np.eye(2), np.eye(2)).size == 0

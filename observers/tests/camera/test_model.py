@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from evidence.observers import printed
-from pointpred.errors import ParameterError
 from pointpred_observers.camera import SCENARIOS, model
 from pointpred_observers.camera.scenario import Trajectory, trajectory
 
@@ -22,14 +21,6 @@ def test_printed_equations_have_large_residuals(truth: Trajectory) -> None:
     chi_error = np.abs(printed.chi_rate_14(truth) - expected[:, 2]).max()
     assert eta_error > 0.05 * np.abs(expected[:, 3]).max()
     assert chi_error > np.abs(expected[:, 2]).max()
-
-
-def test_the_chain_rule_agrees_with_differences_of_the_trajectory() -> None:
-    """What everything else is held against: fourth-order differences of the integrated path."""
-    fine = trajectory(SCENARIOS["paper"], np.arange(1001) / 1000.0)
-    states = np.column_stack([fine.image, fine.chi, fine.eta])
-    slope = (-states[4:] + 8 * states[3:-1] - 8 * states[1:-3] + states[:-4]) / (12 * 0.001)
-    assert np.abs(slope - printed.derivatives(fine)[2:-2]).max() < 1e-8
 
 
 def test_system_15_reproduces_the_derivatives(truth: Trajectory) -> None:
@@ -83,11 +74,3 @@ def test_t_a_needs_seven_variables_only() -> None:
         point = {"x": x, "y": y, "w_x": w_x, "w_y": w_y, "eta": eta, "a_z": a_z}
         point["zero"] = y * w_x - x * w_y + eta
         assert np.abs(system.t(point) @ system.a(point) - system.ta(point)).max() < 1e-15
-
-
-def test_box_names_a_bound_that_is_no_pair() -> None:
-    still = (0.0, 0.0)
-    with pytest.raises(ParameterError, match="eta and turn need"):
-        model.camera_box(-0.3, turn=still, a_z=still, w=still, dw=still)  # type: ignore[arg-type]
-    with pytest.raises(ParameterError, match="a_z needs low <= high"):
-        model.camera_box((-0.3, -0.1), turn=still, a_z=(0.1, -0.1), w=still, dw=still)

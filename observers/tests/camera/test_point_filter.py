@@ -6,33 +6,24 @@ import numpy as np
 import pytest
 
 from evidence.observers.camera_measure import consistent, cramer_rao, normalised_errors
-from pointpred_observers.camera import (
-    SCENARIOS,
-    CameraColumns,
-    Noise,
-    PointFilter,
-    kinematics,
-    point_filter,
-    simulate,
-)
+from pointpred_observers import camera
 from pointpred_observers.camera.scenario import Scenario, observed, trajectory
 
 FOCAL = 800.0
 
 
-def peer(noise_px: float, **more: float) -> PointFilter:
-    """A filter that is told the bound of uniform noise."""
-    return PointFilter(focal_px=FOCAL, noise_px=max(noise_px, 0.1) / np.sqrt(3.0), **more)
+def peer(noise_px: float, **more: float) -> camera.PointFilter:
+    return camera.PointFilter(focal_px=FOCAL, noise_px=max(noise_px, 0.1) / np.sqrt(3.0), **more)
 
 
 def test_prediction_is_exact_to_the_line_between_two_samples() -> None:
-    truth = trajectory(SCENARIOS["paper"], np.arange(331) / 33.0)
+    truth = trajectory(camera.SCENARIOS["paper"], np.arange(331) / 33.0)
     state = np.concatenate([truth.p[0], truth.v[0]])
     for k in range(330):
         h = truth.t[k + 1] - truth.t[k]
         turn = 0.5 * h * (truth.w[k] + truth.w[k + 1])
-        kinematics.carry(state, h, tuple(turn))
-        kinematics.push(state, h, tuple(turn), tuple(truth.a[k]), tuple(truth.a[k + 1]))
+        camera.kinematics.carry(state, h, tuple(turn))
+        camera.kinematics.push(state, h, tuple(turn), tuple(truth.a[k]), tuple(truth.a[k + 1]))
     np.testing.assert_allclose(state, np.concatenate([truth.p[-1], truth.v[-1]]), atol=2e-5)
 
 
@@ -41,7 +32,7 @@ def test_turns_are_those_of_a_library(size: float) -> None:
     rotation = pytest.importorskip("scipy.spatial.transform").Rotation
     turn = size * np.array([0.48, -0.6, 0.64])
     expected = rotation.from_rotvec(turn).inv().apply([1.0, 2.0, 3.0])
-    np.testing.assert_allclose(kinematics.back(tuple(turn), (1.0, 2.0, 3.0)), expected, atol=1e-14)
+    np.testing.assert_allclose(camera.kinematics.back(tuple(turn), (1.0, 2.0, 3.0)), expected, atol=1e-14)
 
 
 def test_a_covariance_is_carried_and_shaken_as_its_samples_are() -> None:
@@ -51,19 +42,19 @@ def test_a_covariance_is_carried_and_shaken_as_its_samples_are() -> None:
     covariance, phi = (root @ root.T).ravel(), np.eye(6).ravel()
     turn, h = np.array([0.1, -0.2, 0.05]), 0.3
     for i in range(6):
-        kinematics.carry_column(phi, i, h, tuple(turn))
+        camera.kinematics.carry_column(phi, i, h, tuple(turn))
     phi = phi.reshape(6, 6)
-    kinematics.turn_covariance(covariance, h, tuple(turn))
+    camera.kinematics.turn_covariance(covariance, h, tuple(turn))
     np.testing.assert_allclose(covariance.reshape(6, 6), phi @ root @ root.T @ phi.T, atol=1e-12)
     before = covariance.copy()
-    kinematics.add_noise(covariance, state, 0.01, 0.2)
+    camera.kinematics.add_noise(covariance, state, 0.01, 0.2)
     moved = np.vstack([-np.cross(np.eye(3), state[:3]).T, -np.cross(np.eye(3), state[3:]).T])
     expected = 0.01 * moved @ moved.T + np.diag([0.0] * 3 + [0.2] * 3)
     np.testing.assert_allclose((covariance - before).reshape(6, 6), expected, atol=1e-14)
 
 
 def test_clean_images_find_the_depth_within_a_second() -> None:
-    samples, truth = simulate(SCENARIOS["paper"], focal_px=FOCAL)
+    samples, truth = camera.simulate(camera.SCENARIOS["paper"], focal_px=FOCAL)
     track = peer(0.0).run(samples)
     assert track.t[track.running][0] < 1.0
     assert abs(track.state[-1, 2] - truth.p[-1, 2]) < 0.002
@@ -73,9 +64,9 @@ def test_clean_images_find_the_depth_within_a_second() -> None:
 @pytest.fixture(scope="module", params=[2.0, 4.0, 8.0])
 def runs(request: pytest.FixtureRequest) -> tuple[np.ndarray, np.ndarray, float]:
     """Depth errors and NEES of 40 runs with normal noise after 10 s, and the bound on the depth."""
-    errors, squares, truth = [], [], trajectory(SCENARIOS["paper"], np.arange(331) / 33.0)
+    errors, squares, truth = [], [], trajectory(camera.SCENARIOS["paper"], np.arange(331) / 33.0)
     for seed in range(40):
-        noise = Noise(noise_px=request.param, normal=True)
+        noise = camera.Noise(noise_px=request.param, normal=True)
         samples = observed(truth, focal_px=FOCAL, noise=noise, seed=seed)
         track = peer(request.param).run(samples)
         errors.append(track.state[-1, 2] - truth.p[-1, 2])
@@ -96,9 +87,9 @@ def test_the_filter_believes_the_right_thing(runs: tuple[np.ndarray, np.ndarray,
 
 
 def test_a_filter_told_too_little_noise_fails_the_same_check() -> None:
-    squares, truth = [], trajectory(SCENARIOS["paper"], np.arange(331) / 33.0)
+    squares, truth = [], trajectory(camera.SCENARIOS["paper"], np.arange(331) / 33.0)
     for seed in range(10):
-        noise = Noise(noise_px=4.0, normal=True)
+        noise = camera.Noise(noise_px=4.0, normal=True)
         samples = observed(truth, focal_px=FOCAL, noise=noise, seed=seed)
         squares.append(normalised_errors(peer(1.5).run(samples), truth)[-1])
     mean, (_, high) = consistent(np.array(squares), 0.9999)
@@ -106,10 +97,10 @@ def test_a_filter_told_too_little_noise_fails_the_same_check() -> None:
 
 
 def test_sensor_noise_is_believed_too() -> None:
-    squares, truth = [], trajectory(SCENARIOS["paper"], np.arange(991) / 99.0)
+    squares, truth = [], trajectory(camera.SCENARIOS["paper"], np.arange(991) / 99.0)
     told = {"gyro_noise": 2e-4, "accel_noise": 2e-3}
     for seed in range(30):
-        noise = Noise(noise_px=2.0, normal=True, dropped=0.2, **told)
+        noise = camera.Noise(noise_px=2.0, normal=True, dropped=0.2, **told)
         samples = observed(truth, focal_px=FOCAL, readings=3, noise=noise, seed=seed)
         squares.append(normalised_errors(peer(2.0, **told).run(samples), truth)[-1])
     mean, (low, high) = consistent(np.array(squares), 0.9999)
@@ -119,32 +110,10 @@ def test_sensor_noise_is_believed_too() -> None:
 @pytest.mark.parametrize("noise_px", [0.0, 2.0, 8.0])
 @pytest.mark.parametrize("name", ["stationary", "rotating", "axial"])
 def test_nothing_is_claimed_where_no_image_tells_the_depth(name: str, noise_px: float) -> None:
-    truth = trajectory(SCENARIOS[name], np.arange(331) / 33.0)
+    truth = trajectory(camera.SCENARIOS[name], np.arange(331) / 33.0)
     for seed in range(3):
-        samples = observed(truth, focal_px=FOCAL, noise=Noise(noise_px=noise_px), seed=seed)
+        samples = observed(truth, focal_px=FOCAL, noise=camera.Noise(noise_px=noise_px), seed=seed)
         assert not peer(noise_px).run(samples).running.any()
-
-
-def test_without_the_noise_taken_out_the_start_would_be_far_too_near() -> None:
-    """Plain least squares on the same images: less than half of the depth at 8 px."""
-    samples, truth = simulate(SCENARIOS["paper"], focal_px=FOCAL, duration_s=3.0, noise=Noise(noise_px=8.0))
-    normal, right, phi, push = np.zeros((6, 6)), np.zeros(6), np.eye(6), np.zeros(6)
-    for k in range(len(truth.t)):
-        if k:
-            h = truth.t[k] - truth.t[k - 1]
-            turn = 0.5 * h * (truth.w[k] + truth.w[k - 1])
-            for i in range(6):
-                kinematics.carry_column(phi.ravel(), i, h, tuple(turn))
-            kinematics.carry(push, h, tuple(turn))
-            kinematics.push(push, h, tuple(turn), tuple(truth.a[k - 1]), tuple(truth.a[k]))
-        x, y = samples.table[k, 1:3] / FOCAL
-        rows = np.array([[1.0, 0.0, -x], [0.0, 1.0, -y]])
-        normal += (rows @ phi[:3]).T @ rows @ phi[:3]
-        right -= (rows @ phi[:3]).T @ rows @ push[:3]
-    assert 0.0 < np.linalg.solve(normal, right)[2] < 0.5
-    started = peer(8.0, share=0.5).run(samples)
-    first = np.flatnonzero(started.running)[0]
-    assert abs(started.state[first, 2] - truth.p[first, 2]) < 3.0 * np.sqrt(started.covariance[first, 2, 2])
 
 
 def test_a_point_that_passes_the_camera_makes_it_begin_anew() -> None:
@@ -152,13 +121,13 @@ def test_a_point_that_passes_the_camera_makes_it_begin_anew() -> None:
         return 0.3 * np.sin(2.0 * t), 0.3 * np.cos(3.0 * t), 0.4  # type: ignore[call-overload, operator]
 
     scenario = Scenario("meets", velocity, lambda t: (0.0, 0.0, 0.0), (0.0, 0.0, 4.0))
-    samples, _ = simulate(scenario, focal_px=FOCAL, duration_s=9.9)
+    samples, _ = camera.simulate(scenario, focal_px=FOCAL, duration_s=9.9)
     stage = peer(0.0)
     assert stage.run(samples).restarts == 0
     table = samples.table[-1:].repeat(40, axis=0)
     table[:, 0] += np.arange(1, 41) / 33.0
     table[:, 1:3] = np.nan  # past the point nothing is seen
-    track = stage.run(CameraColumns(table))
+    track = stage.run(camera.CameraColumns(table))
     assert track.restarts == 1
     assert not track.running[-1]
 
@@ -169,11 +138,11 @@ def test_an_image_is_the_matrix_update_of_both_coordinates_at_once(seed: int) ->
     root = 0.3 * random.normal(size=(6, 6))
     state = np.array([0.3, -0.2, 2.0, 0.1, 0.2, -0.4]) + 0.1 * random.normal(size=6)
     seen, noise = np.array([0.1, -0.3]), 1e-2
-    memory = point_filter.Memory(np.zeros(point_filter.Memory.length))
-    memory.settings.noise, memory.state.mode = noise, point_filter.RUNNING
+    memory = camera.point_filter.Memory(np.zeros(camera.point_filter.Memory.length))
+    memory.settings.noise, memory.state.mode = noise, camera.point_filter.RUNNING
     memory.state.state[:] = state
     memory.state.spread.m[:] = root @ root.T
-    point_filter.look(memory.memory, *seen)
+    camera.point_filter.look(memory.memory, *seen)
 
     x, y, z = state[:3]
     h = np.array([[1.0, 0.0, -x / z, 0.0, 0.0, 0.0], [0.0, 1.0, -y / z, 0.0, 0.0, 0.0]]) / z
@@ -182,10 +151,3 @@ def test_an_image_is_the_matrix_update_of_both_coordinates_at_once(seed: int) ->
     expected = state + gain @ (seen - state[:2] / z)
     np.testing.assert_allclose(memory.state.state, expected, rtol=1e-10, atol=1e-12)
     np.testing.assert_allclose(memory.state.spread.m, (np.eye(6) - gain @ h) @ p, rtol=1e-8, atol=1e-12)
-
-
-def test_the_memory_of_a_filter_without_samples_is_all_zero_after_its_parameters() -> None:
-    memory = point_filter.Memory(PointFilter(focal_px=800.0).__dict__["_memory"])
-    settings = memory.settings
-    assert (memory.state.memory == 0.0).all()
-    assert min(settings.focal_px, settings.noise, settings.share, settings.gap_s) > 0.0

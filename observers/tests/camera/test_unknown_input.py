@@ -17,11 +17,7 @@ from pointpred.errors import CertificateError, InfeasibleError, ParameterError, 
 from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.files import encoded
 from pointpred_observers.plants.boxes import Box, at_vertices
-from pointpred_observers.plants.varying import (
-    CornerSystem,
-    ParameterVaryingSystem,
-    invariant_zeros,
-)
+from pointpred_observers.plants.varying import CornerSystem, ParameterVaryingSystem
 from pointpred_observers.proofs.definite import least
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.unknown_input.certificate import audit, inequality
@@ -47,22 +43,14 @@ def test_128_vertices_are_proved_one_by_one(camera: UnknownInputObserver) -> Non
     assert len(gammas) == 128
     one = camera.certificate
     force = one.gamma * np.eye(4)
-    worst = max(
-        np.linalg.eigvalsh(inequality(g - k @ c, t, p, force, one.decay))[-1]
-        for g, t, k in zip(gammas, ts, ks, strict=True)
-    )
+    worst = -np.inf
+    for g, t, k in zip(gammas, ts, ks, strict=True):
+        n = g - k @ c
+        whole = np.block([[n.T @ p + p @ n + 2.0 * one.decay * p, p @ t], [t.T @ p, -force]])
+        worst = max(worst, float(np.linalg.eigvalsh(whole)[-1]))
     assert worst == pytest.approx(-one.margin, rel=1e-6)
     assert one.margin > 0.0
     assert one.largest_decay == pytest.approx(0.03)
-
-
-def test_every_frozen_observer_decays_as_proved(camera: UnknownInputObserver) -> None:
-    random = np.random.default_rng(0)
-    lows, highs = np.array(list(camera.box.bounds.values())).T
-    for share in random.uniform(size=(20, 7)):
-        point = camera.box.named(lows + share * (highs - lows))
-        n = camera.system.gamma(point) - camera.box.mixed(camera.gains, point) @ camera.system.c
-        assert np.linalg.eigvals(n).real.max() < -camera.decay
 
 
 def test_the_bound_holds_for_errors_that_jump_about_in_the_box(camera: UnknownInputObserver) -> None:
@@ -138,20 +126,7 @@ def test_the_printed_p_breaks_its_own_bound() -> None:
     assert np.linalg.eigvalsh(printed.P)[0] < printed.CHI_1
 
 
-def test_degenerate_axes_make_fewer_vertices(camera: UnknownInputObserver) -> None:
-    still = {"turn": (0.0, 0.0), "a_z": (0.05, 0.05), "w": (0.0, 0.0), "dw": (0.0, 0.0)}
-    observer = UnknownInputObserver.design(camera_system(), camera_box((-0.3, -0.1), **still), 0.05)
-    assert len(observer.box.vertices) == 4
-    assert observer.certificate.margin > 0.0
-    assert len(camera.box.vertices) == 128
-
-
 STILL = camera_box((-0.4, -0.05), turn=(-0.02, 0.02), a_z=(-0.1, 0.1), w=(0.0, 0.0), dw=(0.0, 0.0))
-
-
-def test_a_design_comes_near_to_the_zeros() -> None:
-    near = UnknownInputObserver.design(camera_system(), STILL, 0.03 * (1.0 - 1e-7))
-    assert near.certificate.margin > 0.0
 
 
 @pytest.mark.slow
@@ -198,46 +173,6 @@ def test_the_rate_of_e_is_the_derivative_of_e() -> None:
     np.testing.assert_allclose(system.t(point), np.eye(5) + system.e(point) @ system.c, atol=1e-12)
 
 
-@pytest.mark.parametrize("decay", [0.0, -1.0, float("nan"), float("inf")])
-def test_the_decay_must_be_positive(decay: float) -> None:
-    with pytest.raises(ParameterError, match="decay must be finite and above 0"):
-        UnknownInputObserver.design(camera_system(), camera_box((-0.4, -0.1), **CAMERA), decay)
-
-
-def test_bad_systems_are_named() -> None:
-    def one(a: object = None, f: object = None, c: object = None, **more: object) -> None:
-        system = ParameterVaryingSystem(
-            lambda p: np.eye(2) * -1.0 if a is None else np.asarray(a),
-            f or (lambda p: np.array([[1.0], [0.0]])),  # type: ignore[arg-type]
-            np.eye(1, 2) if c is None else np.asarray(c),
-            **more,  # type: ignore[arg-type]
-        )
-        UnknownInputObserver.design(system, Box({"k": (0.0, 1.0)}), 0.05)
-
-    with pytest.raises(ParameterError, match=r"A has shape \(3, 3\), needs \(2, 2\)"):
-        one(a=np.eye(3))
-    with pytest.raises(ParameterError, match=r"F has shape \(3, 1\), needs \(2, inputs\)"):
-        one(f=lambda p: np.ones((3, 1)))
-    with pytest.raises(ParameterError, match="A must be finite"):
-        one(a=np.diag([np.nan, 1.0]))
-    with pytest.raises(ParameterError, match="A must be real"):
-        one(a=np.diag([-1.0 + 1.0j, -1.0]))
-    with pytest.raises(ParameterError, match="C must be real"):
-        one(c=np.array([[1.0j, 0.0]]))
-    with pytest.raises(ParameterError, match=r"C has shape \(2,\), needs \(outputs, states\)"):
-        one(c=[1.0, 0.0])
-    with pytest.raises(ParameterError, match="C must be finite"):
-        one(c=[[np.inf, 0.0]])
-    with pytest.raises(ParameterError, match=r"rank\(C F\) = 0 < rank\(F\) = 1.*at the vertex \{'k': 0.0\}"):
-        one(f=lambda p: np.array([[0.0], [1.0]]))
-    with pytest.raises(ParameterError, match="F varies with k: its rate must be"):
-        one(f=lambda p: np.array([[1.0], [p["k"]]]))
-    with pytest.raises(ParameterError, match="the box needs the axis dk"):
-        one(f=lambda p: np.array([[1.0], [p["k"]]]), rates={"k": "dk"})
-    with pytest.raises(ParameterError, match="must be affine in each variable"):
-        one(f=lambda p: np.array([[1.0 + p["k"] ** 2], [0.0]]))
-
-
 def test_what_cancels_off_the_diagonal_proves_nothing() -> None:
     """A pair without damping: the energy's change, 5.6e-17 in exact numbers, is 0 in floating point."""
     n = np.array([[-1e-17, 1.0], [-1.0 / 3.0, -1e-17]])
@@ -275,25 +210,6 @@ def test_an_entry_that_is_not_affine_does_not_hide_behind_others_or_in_small_uni
         UnknownInputObserver.design(system, Box({"k": (-1.0, 1.0)}), 0.5 * size)
 
 
-def test_matrices_that_rounding_moves_are_affine() -> None:
-    """T A of many inputs and outputs in mixed units, whose entries are small differences."""
-    random = np.random.default_rng(26)
-    x, y = 10.0 ** random.uniform(-6, 6, 5), 10.0 ** random.uniform(-6, 6, 3)
-    a, more, f, c = (random.normal(size=size) for size in ((5, 5), (5, 5), (5, 2), (3, 5)))
-    c[:, 4] = 0.0
-    moving = np.zeros((5, 2))
-    moving[4] = random.normal(size=2)
-    system = ParameterVaryingSystem(
-        lambda p: (a + p["k"] * more) * x / x[:, None],
-        lambda p: (f + p["s"] * moving) / x[:, None],
-        c * x / y[:, None],
-        rates={"s": "ds"},
-    )
-    box = Box({"k": (-1e-3, 7.0), "s": (-0.3, 0.2), "ds": (-4.0, 4.0)})
-    gammas, ts = system.weighted(box).at_vertices(box)
-    assert len(gammas) == len(ts) == 8
-
-
 @pytest.mark.parametrize("through", ["function", "corners"])
 def test_a_ta_that_is_not_t_times_a_is_refused(through: str) -> None:
     box = Box({"k": (1.0, 3.0)})
@@ -318,16 +234,9 @@ def test_a_ta_whose_a_needs_more_variables_is_audited_but_not_kept(camera: Unkno
         encoded(camera)
 
 
-def test_zeros_of_a_box_need_no_solver() -> None:
-    zeros = invariant_zeros(camera_system(), camera_box((-0.4, 0.3), **CAMERA))
-    assert zeros.shape == (128, 2)
-    assert zeros.real.max() == pytest.approx(0.32)
-
-
 @pytest.mark.parametrize("a_z", [0.1, *(pytest.param(one, marks=pytest.mark.slow) for one in (0.5, 2.0))])
 @pytest.mark.parametrize("decay", [0.005, 0.025, 0.045, 0.046, 0.0475])
 def test_the_least_gamma_is_the_least(decay: float, a_z: float) -> None:
-    """Beside a computation with 40 digits."""
     box = camera_box((-2.0, -0.07), turn=(-0.02, 0.02), a_z=(-a_z, a_z), w=(-0.06, 0.06), dw=(-0.1, 0.1))
     with mpmath.workdps(40):
         wanted = float(minimum(2.0 * decay, box.bounds))
@@ -350,41 +259,6 @@ def test_weights_are_a_convex_sum_that_gives_the_point(axes: list) -> None:
     np.testing.assert_allclose(weights @ box.vertices, list(point.values()), rtol=1e-9, atol=1e-9)
 
 
-def test_a_vertex_has_all_the_weight() -> None:
-    box = Box({"a": (0.0, 1.0), "b": (2.0, 2.0), "c": (-1.0, 3.0)})
-    for i, vertex in enumerate(box.vertices):
-        assert box.weights(box.named(vertex)).tolist() == np.eye(4)[i].tolist()
-
-
-@pytest.mark.parametrize(
-    ("bounds", "said"),
-    [
-        ({}, "at least one axis"),
-        ({"a": (1.0, 0.0)}, "a needs low <= high"),
-        ({"a": (0.0, float("inf"))}, "a needs two finite numbers"),
-        ({"a": (0.0, float("nan"))}, "a needs two finite numbers"),
-        ({"a": (0.0, 1j)}, "a needs two finite numbers"),
-        ({"a": 3.0}, r"a needs \(low, high\), received 3.0"),
-        ({f"p{i}": (0.0, 1.0) for i in range(13)}, "at most 12 axes with a width, received 13"),
-    ],
-)
-def test_bounds_without_sense_are_refused(bounds: dict, said: str) -> None:
-    with pytest.raises(ParameterError, match=said):
-        Box(bounds)
-
-
-def test_points_outside_have_no_weights() -> None:
-    box = Box({"a": (0.0, 1.0), "b": (2.0, 2.0)})
-    with pytest.raises(ParameterError, match=r"a must lie in \[0, 1\], received 1.5"):
-        box.weights({"a": 1.5, "b": 2.0})
-    with pytest.raises(ParameterError, match=r"b must lie in \[2, 2\]"):
-        box.weights({"a": 0.5, "b": 2.1})
-    with pytest.raises(ParameterError, match="a must lie"):
-        box.weights({"a": float("nan"), "b": 2.0})
-    with pytest.raises(ParameterError, match="a point needs a, b, received a"):
-        box.weights({"a": 0.5})
-
-
 def test_a_model_reproduces_a_multilinear_matrix_anywhere_in_the_box() -> None:
     random = np.random.default_rng(3)
     parts = random.normal(size=(8, 2, 3))
@@ -398,8 +272,3 @@ def test_a_model_reproduces_a_multilinear_matrix_anywhere_in_the_box() -> None:
     for share in random.uniform(size=(20, 2)):
         point = {"a": -1.0 + 3.0 * share[0], "b": 0.5, "c": 3.0 + share[1]}
         np.testing.assert_allclose(box.mixed(model, point), matrix(point), rtol=1e-12, atol=1e-12)
-
-
-def test_what_is_not_multilinear_is_refused() -> None:
-    with pytest.raises(ParameterError, match="Gamma must be affine in each variable"):
-        at_vertices(lambda p: np.array([[np.sin(p["a"])]]), Box({"a": (0.0, 1.0)}), "Gamma")

@@ -9,17 +9,7 @@ import pytest
 
 from evidence.observers.camera_measure import unknown_inputs
 from pointpred.errors import EventError, EventOrderError
-from pointpred_observers.camera import (
-    SCENARIOS,
-    CameraColumns,
-    CameraPipeline,
-    CameraSample,
-    DepthObserver,
-    Noise,
-    PointFilter,
-    camera_box,
-    camera_system,
-)
+from pointpred_observers import camera
 from pointpred_observers.camera.depth import DepthColumns
 from pointpred_observers.camera.scenario import Trajectory, observed, trajectory
 from pointpred_observers.camera.velocity import UnknownInputFilter, flow, velocities
@@ -30,13 +20,13 @@ FOCAL = 800.0
 
 @pytest.fixture(scope="module")
 def truth() -> Trajectory:
-    return trajectory(SCENARIOS["paper"], np.arange(331) / 33.0)
+    return trajectory(camera.SCENARIOS["paper"], np.arange(331) / 33.0)
 
 
 def errors(truth: Trajectory, way: str, noise_px: float) -> float:
     """RMSE of v_x and v_y after 2 s, m/s, with depth and eta nearly right."""
-    samples = observed(truth, focal_px=FOCAL, noise=Noise(noise_px=noise_px), seed=1)
-    depth = DepthObserver(focal_px=FOCAL, start_chi=1.0, start_eta=-0.3).run(samples)
+    samples = observed(truth, focal_px=FOCAL, noise=camera.Noise(noise_px=noise_px), seed=1)
+    depth = camera.DepthObserver(focal_px=FOCAL, start_chi=1.0, start_eta=-0.3).run(samples)
     told = max(noise_px, 0.1) / np.sqrt(3.0)
     v = velocities(unknown_inputs(way, samples, depth.eta, FOCAL, told), depth)
     return float(np.sqrt(np.mean((v - truth.v)[66:, :2] ** 2)))
@@ -79,7 +69,7 @@ def test_the_two_state_filter_settles_at_the_riccati_solution() -> None:
     h, q, r = 0.02, 1e-3, 1e-6
     stage = UnknownInputFilter(focal_px=1e3, noise_px=1e3 * np.sqrt(r), density=q)
     for i in range(3000):
-        spread = stage.update(CameraSample(i * h, *[0.0] * 8), 0.0)[2]
+        spread = stage.update(camera.CameraSample(i * h, *[0.0] * 8), 0.0)[2]
     f = np.array([[1.0, -h], [0.0, 1.0]])
     noise = q * np.array([[h**3 / 3.0, -(h**2) / 2.0], [-(h**2) / 2.0, h]])
     c = np.array([[1.0, 0.0]])
@@ -87,7 +77,7 @@ def test_the_two_state_filter_settles_at_the_riccati_solution() -> None:
     after = before - before @ c.T @ c @ before / (before[0, 0] + r)
     assert spread == pytest.approx(np.sqrt(after[1, 1]), rel=1e-6)
     with pytest.raises(EventError, match="t must increase"):
-        stage.update(CameraSample(*[0.0] * 9), 0.0)
+        stage.update(camera.CameraSample(*[0.0] * 9), 0.0)
 
 
 def test_depth_at_its_floor_makes_the_velocity_unknown() -> None:
@@ -100,7 +90,7 @@ def test_depth_at_its_floor_makes_the_velocity_unknown() -> None:
 def test_without_images_a_derivative_is_held_and_the_filter_predicts(truth: Trajectory) -> None:
     table = observed(truth, focal_px=FOCAL).table.copy()
     table[200:210, 1:3] = np.nan
-    samples = CameraColumns(table)
+    samples = camera.CameraColumns(table)
     raw = unknown_inputs("difference", samples, truth.eta, FOCAL)
     assert (raw[200:210] == raw[199]).all()
     filtered = UnknownInputFilter(focal_px=FOCAL, noise_px=0.1).run(samples, truth.eta)
@@ -111,18 +101,20 @@ def test_without_images_a_derivative_is_held_and_the_filter_predicts(truth: Traj
 @cache
 def design() -> UnknownInputObserver:
     bounds = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.07, 0.07), "dw": (0.0, 0.0)}
-    return UnknownInputObserver.design(camera_system(), camera_box((-2.0, -0.03), **bounds), 0.005)
+    return UnknownInputObserver.design(
+        camera.camera_system(), camera.camera_box((-2.0, -0.03), **bounds), 0.005
+    )
 
 
-def pipeline(eta: float) -> CameraPipeline:
-    observer = DepthObserver(focal_px=FOCAL, start_chi=0.3, start_eta=eta, observer=design())
-    return CameraPipeline(observer, PointFilter(focal_px=FOCAL, noise_px=1.0), noise_px=1.0)
+def pipeline(eta: float) -> camera.CameraPipeline:
+    observer = camera.DepthObserver(focal_px=FOCAL, start_chi=0.3, start_eta=eta, observer=design())
+    return camera.CameraPipeline(observer, camera.PointFilter(focal_px=FOCAL, noise_px=1.0), noise_px=1.0)
 
 
 def test_a_wrong_start_on_an_approaching_camera_is_not_silently_wrong() -> None:
     """The observer believes that the camera recedes, until the images have told otherwise."""
-    truth = trajectory(SCENARIOS["approaching"], np.arange(331) / 33.0)
-    samples = observed(truth, focal_px=FOCAL, noise=Noise(noise_px=np.sqrt(3.0)), seed=4)
+    truth = trajectory(camera.SCENARIOS["approaching"], np.arange(331) / 33.0)
+    samples = observed(truth, focal_px=FOCAL, noise=camera.Noise(noise_px=np.sqrt(3.0)), seed=4)
     stage = pipeline(-0.3)
     alone = stage.observer.fresh().run(samples)
     assert alone.detectable.mean() > 0.9  # by itself it does not notice
@@ -134,7 +126,7 @@ def test_a_wrong_start_on_an_approaching_camera_is_not_silently_wrong() -> None:
 
 
 def test_the_images_do_not_speak_against_a_camera_that_recedes(truth: Trajectory) -> None:
-    samples = observed(truth, focal_px=FOCAL, noise=Noise(noise_px=np.sqrt(3.0)), seed=4)
+    samples = observed(truth, focal_px=FOCAL, noise=camera.Noise(noise_px=np.sqrt(3.0)), seed=4)
     found = pipeline(-0.3).run(samples)
     assert found.detectable.mean() > 0.95
 
@@ -145,14 +137,14 @@ def test_the_pipeline_refuses_as_a_whole(truth: Trajectory) -> None:
     table = samples.table[:50].copy()
     table[20, 0] = 0.0
     with pytest.raises(EventOrderError, match="row 20: t must increase"):
-        stage.run(CameraColumns(table))
+        stage.run(camera.CameraColumns(table))
     whole = stage.run(samples).table
     assert np.array_equal(stage.fresh().run(samples).table, whole, equal_nan=True)
     stage.reset()
     assert np.array_equal(stage.run(samples).table, whole, equal_nan=True)
     kept = stage.observer.remembered(), stage.peer.remembered()
     with pytest.raises(EventOrderError):
-        stage.update(CameraSample(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        stage.update(camera.CameraSample(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     assert (stage.observer.remembered(), stage.peer.remembered()) == kept
 
 
