@@ -10,9 +10,8 @@ from pointpred_observers.interconnected.assumptions import (
 from pointpred_observers.interconnected.interconnection import theorem_3_2_1
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
 from pointpred_observers.interconnected.regulated import SectorBounds, sector_bounds
-from pointpred_observers.interconnected.regulator_equations import regulator_equations
 from pointpred_observers.interconnected.state_feedback import design_state_feedback
-from pointpred_observers.interconnected.steady_state import residuals
+from pointpred_observers.interconnected.steady_state import regulator_equations, residuals
 from pointpred_observers.interconnected.tracking import (
     certify_tracking,
     closed_loop,

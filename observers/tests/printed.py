@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.steady_state import equality_terms, residuals
+from pointpred_observers.interconnected.steady_state import equalities, residuals
 from pointpred_observers.numerics.equalities import allowed
 from pointpred_observers.numerics.matrices import instance, matrix, positive
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
@@ -47,7 +47,7 @@ entries rounded by 0.025 explain at most 0.075
         require_same_nonlinearity(one, generator)
     return _audited(
         lambda given: residuals(one, generator, given["Pi"], relaxed=relaxed),
-        equality_terms(one, generator, pi, relaxed=relaxed),
+        {name: terms for name, (_, terms) in equalities(one, generator, pi, relaxed=relaxed).items()},
         {"Pi": pi},
         rounding,
     )

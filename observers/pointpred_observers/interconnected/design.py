@@ -22,11 +22,11 @@ from pointpred_observers.interconnected.simulation import (
     unlike,
     walked,
 )
-from pointpred_observers.interconnected.steady_state import relative_residuals, steady_state_map
+from pointpred_observers.interconnected.steady_state import equalities, shares_left, steady_state_map
 from pointpred_observers.interconnected.tracking import closed_loop
 from pointpred_observers.numerics.balance import Coordinates, inward
 from pointpred_observers.numerics.eigenvalues import require_detectable
-from pointpred_observers.numerics.equalities import TOLERANCE, without_rounding
+from pointpred_observers.numerics.equalities import TOLERANCE, largest, without_rounding
 from pointpred_observers.numerics.matrices import dimensions, instance, matrix, positive, vector
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import GeneratorDocument, PlantDocument
@@ -393,15 +393,14 @@ def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None
     small units, says nothing about it.
     """
     for relaxed in (True, False):
-        left = relative_residuals(plant, generator, Pi, relaxed=relaxed)
-        failed = {name: (worst, part) for name, (worst, part) in left.items() if not part <= TOLERANCE}
+        found = equalities(plant, generator, Pi, relaxed=relaxed)
+        failed = {name: part for name, part in shares_left(found).items() if not part <= TOLERANCE}
         if not failed:
             return
-    name = max(failed, key=lambda one: failed[one][1])
-    worst, part = failed[name]
+    name = max(failed, key=lambda one: failed[one])
     raise InfeasibleError(
-        f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}, {part:.1g} of its terms: "
-        "take Pi from steady_state_map, with all digits"
+        f"Assumption 3.2.1: {name} = 0 fails, its residual is {largest(found)[name]:.6g}, "
+        f"{failed[name]:.1g} of its terms: take Pi from steady_state_map, with all digits"
     )
 
 

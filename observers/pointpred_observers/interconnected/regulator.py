@@ -16,18 +16,18 @@ from pointpred_observers.interconnected.design import (
     require_map,
 )
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
-from pointpred_observers.interconnected.regulator_equations import (
-    RegulatorEquations,
-    checked_equations,
-    regulator_equations,
-)
 from pointpred_observers.interconnected.simulation import closed, like
 from pointpred_observers.interconnected.state_feedback import (
     StateFeedback,
     closed_system,
     design_state_feedback,
 )
-from pointpred_observers.numerics.equalities import TOLERANCE, share_of_terms
+from pointpred_observers.interconnected.steady_state import (
+    RegulatorEquations,
+    checked_equations,
+    regulator_equations,
+)
+from pointpred_observers.numerics.equalities import TOLERANCE, share_of_terms, summed
 from pointpred_observers.numerics.matrices import matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import GeneratorDocument, PlantDocument
@@ -152,10 +152,7 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
         equations = regulator_equations(one, reference, following=following)
         cancelling = equations.L1 if L1 is None else L1
         feedback = design_state_feedback(one, decay=decay, L1=cancelling)
-        left, terms = (
-            one.A1 + one.B @ feedback.L1,
-            np.abs(one.A1) + np.abs(one.B) @ np.abs(feedback.L1),
-        )
+        left, terms = summed((one.A1,), (one.B, feedback.L1))
         if not share_of_terms(left, terms) <= TOLERANCE:
             raise InfeasibleError(
                 f"a reference needs A1 + B L1 = 0, its residual is {np.abs(left).max():.6g}: f is not "
@@ -300,8 +297,7 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
         l1 = np.zeros((plant.m, plant.k)) if solved.L1 is None else solved.L1
         checked = checked_equations(plant, s0, solved.Pi, solved.L0, l1, solved.R, solved.F)
         straight = g.L0[:, plant.n :]
-        terms = np.abs(straight) + np.abs(checked.L0) + np.abs(l0) @ np.abs(checked.Pi)
-        if not share_of_terms(straight - checked.L0 + l0 @ checked.Pi, terms) <= TOLERANCE:
+        if not share_of_terms(*summed((straight,), (-checked.L0,), (l0, checked.Pi))) <= TOLERANCE:
             raise CertificateError(
                 "L0 of the regulator does not apply the L0 and Pi of its equations: design it again",
                 field="equations.L0",

@@ -10,9 +10,9 @@ import numpy as np
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
 from pointpred_observers.interconnected.regulated import Followed, Regulated, SectorBounds, sector_bounds
-from pointpred_observers.interconnected.steady_state import relative_residuals
+from pointpred_observers.interconnected.steady_state import equalities, shares_left
 from pointpred_observers.numerics.balance import Coordinates
-from pointpred_observers.numerics.equalities import TOLERANCE
+from pointpred_observers.numerics.equalities import TOLERANCE, largest
 from pointpred_observers.numerics.matrices import instance, matrix, share, vector
 from pointpred_observers.plants.generator import (
     Fitted,
@@ -102,9 +102,11 @@ def certify_tracking(
     """
     plant, tolerance = as_plant(plant), share("tolerance", tolerance)
     require_same_nonlinearity(plant, instance("regulator", regulator, Generator), name="regulator")
-    for name, (worst, part) in relative_residuals(plant, regulator, Pi).items():
+    held = equalities(plant, regulator, Pi)
+    for name, part in shares_left(held).items():
         if not part <= tolerance:
-            raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
+            reason = f"{name} = 0 fails, its residual is {largest(held)[name]:.6g}"
+            raise InfeasibleError(f"Assumption 3.2.1: {reason}")
     # With a larger tolerance J is checked to that share of its terms, above.
     g = fitted(regulator, plant, "regulator")
     pi = matrix("Pi", Pi, plant.n, g.q)
