@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.realisation import MissingInputs
 from pointpred_observers.interconnected.simulation import like, open_loop, walked
 from pointpred_observers.numerics.equalities import (
     NO_DIGIT,

@@ -18,9 +18,9 @@ from numpy.typing import ArrayLike
 from pointpred.errors import DivergenceError, EventError, ParameterError
 from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.realisation import MissingInputs
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import perron_root, require_detectable
 from pointpred_observers.numerics.matrices import instance, matrix, positive
