@@ -3,8 +3,6 @@
 from pointpred_observers.interconnected.assumptions import (
     assumption_1_3_1,
     assumption_3_2_2,
-    assumption_3_2_3,
-    assumption_3_2_6,
     remark_3_2_2,
 )
 from pointpred_observers.interconnected.interconnection import theorem_3_2_1
@@ -13,6 +11,8 @@ from pointpred_observers.interconnected.regulated import SectorBounds, sector_bo
 from pointpred_observers.interconnected.state_feedback import design_state_feedback
 from pointpred_observers.interconnected.steady_state import regulator_equations, residuals
 from pointpred_observers.interconnected.tracking import (
+    assumption_3_2_3,
+    assumption_3_2_6,
     certify_tracking,
     closed_loop,
     theorem_3_2_2,
