@@ -29,8 +29,8 @@ from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.search import least_in_both, outward_all
 from pointpred_observers.proofs.stationary import filter_start
-from pointpred_observers.reduced_order.convergence import Convergence
 from pointpred_observers.reduced_order.reversed_certificate import (
+    Convergence,
     certified_convergence,
     certify_convergence,
 )

@@ -18,8 +18,10 @@ from pointpred_observers.numerics.equalities import (
     NO_DIGIT,
     TOLERANCE,
     column_units,
+    largest,
     or_one,
     share_of_terms,
+    summed,
     without_rounding,
 )
 from pointpred_observers.numerics.matrices import (
@@ -314,10 +316,8 @@ class InvariantObserver(Observer):
         given = _at(self._given["Upsilon"], t)
         upsilon = np.zeros((self.q, self.plant.p)) if _empty(given) else given
         upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
-        z = without_rounding(
-            pi + upsilon @ now["C0"], np.abs(pi) + np.abs(upsilon) @ np.abs(now["C0"]), share=NO_DIGIT
-        )
-        return now, pi, upsilon, z
+        z, sizes = summed((pi,), (upsilon, now["C0"]))
+        return now, pi, upsilon, without_rounding(z, sizes, share=NO_DIGIT)
 
     def _connection(self, t: float) -> Connection:
         with np.errstate(all="ignore"):  # what overflows is not finite, and refused
@@ -330,44 +330,45 @@ class InvariantObserver(Observer):
         change = onward @ now["A0"]
         if not discrete:
             change = change + self._rate(t, now, upsilon)
-        given = self._given["B"]
+        given, both = self._given["B"], np.vstack([z, now["C0"]])
         if given is None:
-            both = _right(np.vstack([z, now["C0"]]), change)
-            s0, b = both[:, : self.q], both[:, self.q :]
+            s0, b = np.split(_right(both, change), [self.q], axis=1)
         else:
             b = matrix("B", _at(given, t), self.q, self.plant.p)
             s0 = _right(z, change - b @ now["C0"])
-        sizes = np.abs(onward) @ np.abs(now["A1"]) + np.abs(b) @ np.abs(now["C1"])
-        s1 = without_rounding(onward @ now["A1"] - b @ now["C1"], sizes, share=NO_DIGIT)
-        stacked = np.vstack([z, now["C0"]]) if self.injection else z
-        jr = _right(stacked, now["H"])
+        s1, sizes = summed((onward, now["A1"]), (-b, now["C1"]))
+        s1 = without_rounding(s1, sizes, share=NO_DIGIT)
+        jr = _right(both if self.injection else z, now["H"])
         j, r = jr[:, : self.q], jr[:, self.q :] if self.injection else np.zeros((len(jr), self.plant.p))
-        left = {
-            "Upsilon C1": upsilon @ now["C1"],
-            "J (Pi + Upsilon C0) - H": j @ z + r @ now["C0"] - now["H"] if s1.any() else np.zeros(0),
-            "S0 Z + B C0 - Z A0 - Z'": s0 @ z + b @ now["C0"] - change,
-            "R C1": r @ now["C1"],
-        }
         # A large gain makes large terms, which round by a share of their own size.
-        terms = np.abs(s0) @ np.abs(z) + np.abs(b) @ np.abs(now["C0"]) + np.abs(onward) @ np.abs(now["A0"])
-        largest = (float(np.abs(m).max(initial=0.0)) for m in (terms, *now.values()))
-        size = max(1.0, *largest)
-        residuals = {name: float(np.abs(one).max(initial=0.0)) for name, one in left.items()}
-        _demand(residuals, self.tolerance, size, t)
-        # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
-        units = column_units(np.vstack([z, now["C0"]]))
-        name = "S0 Z + B C0 - Z A0 - Z'"
-        shares = {
-            "Upsilon C1": _share_before_f(upsilon, now["C0"], now["C1"]),
-            name: share_of_terms(left[name], terms + np.abs(change), units),
-            "R C1": _share_before_f(r, now["C0"], now["C1"]),
+        terms = summed((s0, z), (b, now["C0"]), (onward, now["A0"]))[1]
+        invariance = s0 @ z + b @ now["C0"] - change
+        none = np.zeros(0), np.zeros(0)
+        left = {
+            "Upsilon C1": summed((upsilon, now["C1"])),
+            "J (Pi + Upsilon C0) - H": summed((j, z), (r, now["C0"]), (-now["H"],)) if s1.any() else none,
+            "S0 Z + B C0 - Z A0 - Z'": (invariance, terms + np.abs(change)),
+            "R C1": summed((r, now["C1"])),
         }
-        if s1.any():
-            name = "J (Pi + Upsilon C0) - H"
-            inner = np.abs(j) @ np.abs(z) + np.abs(r) @ np.abs(now["C0"]) + np.abs(now["H"])
-            shares[name] = share_of_terms(left[name], inner, units)
-        rank = np.linalg.matrix_rank(np.vstack([z, now["C0"]]))
-        free = given is None and rank < self.q + self.plant.p
+        size = max(1.0, *(float(np.abs(m).max(initial=0.0)) for m in (terms, *now.values())))
+        residuals = largest(left)
+        if not np.isfinite([size, *residuals.values()]).all():
+            raise ParameterError(
+                f"the equalities hold numbers that are too large to compute with at t = {t:g}: check the "
+                "largest entries of the plant, of Pi, Upsilon and B"
+            )
+        for name, residual in residuals.items():
+            if residual > self.tolerance * size:
+                raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
+        # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
+        units, before_f = column_units(both), {"Upsilon C1": upsilon, "R C1": r}
+        shares = {
+            name: _share_before_f(before_f[name], now["C0"], now["C1"])
+            if name in before_f
+            else share_of_terms(*one, units)
+            for name, one in left.items()
+        }
+        free = given is None and np.linalg.matrix_rank(both) < self.q + self.plant.p
         inputs = onward @ np.hstack([now["B"], now["Q"]])
         return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward, shares)
 
@@ -477,10 +478,8 @@ def _right(a: FloatArray, b: FloatArray) -> FloatArray:
     """
     if not a.size:
         return np.zeros((len(b), len(a)))
-    columns = np.abs(a).max(axis=0)
-    columns[columns == 0.0] = 1.0
-    rows = np.abs(a / columns).max(axis=1)
-    rows[rows == 0.0] = 1.0
+    columns = or_one(np.abs(a).max(axis=0))
+    rows = or_one(np.abs(a / columns).max(axis=1))
     scaled = a / columns / rows[:, None]
     right = b / columns
     solution = np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T
@@ -494,22 +493,8 @@ def _share_before_f(gain: FloatArray, c0: FloatArray, c1: FloatArray) -> float:
 
     An entry of the gain that is rounding beside its row, with each output in a unit of its own, stands for 0.
     """
-    outputs = or_one(
-        np.maximum(
-            (np.abs(c0) / column_units(c0)).max(axis=1, initial=0.0), np.abs(c1).max(axis=1, initial=0.0)
-        )
-    )
-    largest = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]
-    rounding = NO_DIGIT * largest * (np.abs(c1) / outputs[:, None]).max(axis=0, initial=0.0)
-    return share_of_terms(gain @ c1, np.abs(gain) @ np.abs(c1), rounding=rounding)
-
-
-def _demand(residuals: dict[str, float], tolerance: float, size: float, t: float) -> None:
-    if not (np.isfinite(size) and np.isfinite(list(residuals.values())).all()):
-        raise ParameterError(
-            f"the equalities hold numbers that are too large to compute with at t = {t:g}: check the largest "
-            "entries of the plant, of Pi, Upsilon and B"
-        )
-    for name, residual in residuals.items():
-        if residual > tolerance * size:
-            raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
+    both = np.hstack([np.abs(c0) / column_units(c0), np.abs(c1)])
+    outputs = or_one(both.max(axis=1, initial=0.0))
+    most = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]
+    rounding = NO_DIGIT * most * (np.abs(c1) / outputs[:, None]).max(axis=0, initial=0.0)
+    return share_of_terms(*summed((gain, c1)), rounding=rounding)
