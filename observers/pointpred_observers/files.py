@@ -82,12 +82,7 @@ def save(thing: Any, file: Path | str) -> Path:
 
 
 def encoded(thing: Any) -> bytes:
-    """The JSON text of a plant or a design, as ``save`` writes it.
-
-    >>> from pointpred_observers.plants.persidskii import Persidskii
-    >>> encoded(Persidskii([[-1.0]], None, None, "sin", C0=[1.0])).split()[:4]
-    [b'{', b'"format":', b'"pointpred', b'observers",']
-    """
+    """The JSON text of a plant or a design, as ``save`` writes it."""
     content: dict[str, Any] = msgspec.to_builtins(_document(thing))
     whole = {"format": FORMAT, "version": VERSION, **content}
     text = msgspec.json.format(msgspec.json.encode(whole), indent=2)

@@ -279,15 +279,6 @@ def driven(
     UndecidedError or CertificateError from the solver; ParameterError where slopes are not bounded.
 
     Reference: Khalin 2022, Theorem 3.2.1, (3.5)-(3.7).
-
-    >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
-    >>> generator = Generator([[0.0]], L0=[1.0])
-    >>> design = driven(plant, generator, [[1.0]], decay=2.0)
-    >>> bool(design.gain[0, 0] > 2.0), min(design.margins.values()) > 0.0
-    (True, True)
-    >>> driven(plant, generator, [[0.0]])
-    Traceback (most recent call last):
-    pointpred.errors.InfeasibleError: (S0, C0 Pi) is not detectable: the mode of the eigenvalue 0 never shows
     """
     decay = positive("decay", decay, zero=True)
     connection = Interconnection(plant, generator, Pi)

@@ -37,6 +37,7 @@ from pointpred_observers.plants.entries import (
     Rows,
     Values,
     entries,
+    fields_of,
     matrices_of,
     plain,
 )
@@ -187,15 +188,7 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
                 decay=feedback.certificate.bound.decay,
                 certificate=plain(feedback.certificate.values),
             ),
-            equations=None
-            if solved is None
-            else Equations(
-                Pi=entries(solved.Pi),
-                L0=entries(solved.L0),
-                L1=entries(solved.L1),
-                R=entries(solved.R),
-                F=entries(solved.F),
-            ),
+            equations=None if solved is None else Equations(**fields_of(Equations, solved)),
         )
 
 

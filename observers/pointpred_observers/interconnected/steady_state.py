@@ -358,8 +358,8 @@ class _Regulation(msgspec.Struct, frozen=True):
     @property
     def count(self) -> int:
         """How many numbers there are."""
-        n, m, k = self.plant.n, self.plant.m, self.plant.k
-        return (n + m) * len(self.s0) + m * k
+        n, m, k, q = self.plant.n, self.plant.m, self.plant.k, len(self.s0)
+        return int((n + m) * q + m * k)
 
     def split(self, numbers: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Pi, L0 and L1."""

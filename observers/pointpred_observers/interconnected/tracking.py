@@ -187,7 +187,7 @@ def certify_tracking(
         for number, one in zip(both, solutions, strict=True)
         for name, margin in one.margins.items()
     }
-    return TrackingCertificate(*solutions, margins, plant.domain)
+    return TrackingCertificate(solutions[0], solutions[1], margins, plant.domain)
 
 
 def _shared(plant: Plant, regulator: Any, Pi: Any) -> tuple[Persidskii, Fitted, FloatArray]:

@@ -174,9 +174,6 @@ def scheduled(name: str, given: Any) -> Scheduled:
     """A matrix as a function of the scheduling variables; an array is the same everywhere.
 
     Raises ParameterError for what is neither a function nor a matrix.
-
-    >>> scheduled("A", [[0.0, 1.0]])({}).tolist()
-    [[0.0, 1.0]]
     """
     if callable(given):
         function: Scheduled = given
@@ -192,14 +189,6 @@ def at_vertices(function: Scheduled, box: Box, name: str, terms: Scheduled | Non
     the middle of the box and at random points; a difference elsewhere is not noticed. Each entry is compared
     by its own size, so that none hides behind larger ones. ``terms``: for a function that is itself computed,
     the sizes of the terms of its entries. Raises ParameterError.
-
-    >>> box = Box({"a": (0.0, 1.0), "b": (-1.0, 1.0)})
-    >>> at_vertices(lambda p: np.array([[p["a"] * p["b"]]]), box, "A").ravel().tolist()
-    [-0.0, 0.0, -1.0, 1.0]
-    >>> at_vertices(lambda p: np.array([[p["a"] ** 2]]), box, "A")
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: A must be affine in each variable; it is off by 0.25 in row 1, column \
-1: make an expression that is not a variable of its own, and 0 of what is only rounding
     """
     found, inside = np.array([function(point) for point in box.corners]), samples(box)
     values = np.array([function(point) for point in inside])
@@ -231,10 +220,6 @@ def difference(
 
     An entry is compared with its own largest value, also over the matrices ``more``, and with the largest of
     its ``terms``. ``None`` if all are equal.
-
-    >>> one, other = np.array([[[1e6, 1e-6]]]), np.array([[[1e6, 2e-6]]])
-    >>> difference(one, other, one, None)
-    (0, 1, 1e-06)
     """
     sizes = np.abs(np.concatenate([left, right, more])).max(axis=0)
     allowed = NO_DIFFERENCE * sizes + (0.0 if terms is None else CANCELLED * np.abs(terms).max(axis=0))

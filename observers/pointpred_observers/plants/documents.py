@@ -18,10 +18,11 @@ from pointpred_observers.plants.entries import (
     Rows,
     entries,
     finite,
+    named,
     restored,
     unbounded,
 )
-from pointpred_observers.plants.generator import Fitted, Generator
+from pointpred_observers.plants.generator import Generator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.plants.nonlinearity import KNOWN, NAMED, Nonlinearity
 from pointpred_observers.plants.persidskii import NAMES, Persidskii
@@ -53,11 +54,10 @@ class PlantDocument(Document, tag="plant", frozen=True):
         """The document of a plant of this library, of python-control or of scipy."""
         plant = as_plant(thing)
         return cls(
-            **{name: entries(plant.given(name)) for name in NAMES},
-            f=_named(plant.f) if plant.k else (),
+            **{name: entries(plant.given(name)) for name in NAMES} | {"time": plant.time},
+            f=named(plant.f) if plant.k else (),
             slopes=_slopes(plant.f) if plant.k else None,
             domain=finite(plant.domain),
-            time=_time(plant.time),
         )
 
     def made(self, functions: Functions) -> Persidskii:
@@ -65,7 +65,9 @@ class PlantDocument(Document, tag="plant", frozen=True):
         return Persidskii(
             **{name: restored(name, getattr(self, name), functions) for name in NAMES},
             f=restored("f", self.f, functions),
-            slopes=None if self.slopes is None else [(_low(a), unbounded(b)) for a, b in self.slopes],
+            slopes=None
+            if self.slopes is None
+            else [(-np.inf if a is None else a, unbounded(b)) for a, b in self.slopes],
             time=self.time,
             domain=unbounded(self.domain),
         )
@@ -84,21 +86,9 @@ class GeneratorDocument(Document, tag="generator", frozen=True):
     f: str | tuple[str, ...] | PythonFunction | None = None
     time: Time | None = None
 
-    @classmethod
-    def of(cls, thing: Generator | Fitted) -> Self:
-        """The document of a generator."""
-        given: dict[str, Any] = {name: getattr(thing, name) for name in MATRICES}
-        kept: dict[str, Any] = {name: None if one is None else entries(one) for name, one in given.items()}
-        own = getattr(thing, "f", None)
-        return cls(
-            **kept,
-            f=None if own is None else _named(own),
-            time=getattr(thing, "time", None),
-        )
-
     def made(self, functions: Functions) -> Generator:
         """The generator."""
-        own = None if self.f is None else restored("generator.f", self.f, functions)
+        own = restored("generator.f", self.f, functions)
         return Generator(**{name: getattr(self, name) for name in MATRICES}, f=own, time=self.time)
 
 
@@ -125,23 +115,23 @@ class ParameterVaryingDocument(Document, tag="parameter-varying plant", frozen=T
     def of(cls, thing: CornerSystem) -> Self:
         """The document of a system that is known by its corners."""
         held = {name: one.tolist() for name, one in thing.corners.items()}
-        points = [thing.box.named(vertex) for vertex in thing.box.vertices]
+        time: Any = thing.time
         return cls(
             box=dict(thing.box.bounds),
             corners=[
                 Corner(at=point, **{name: one[i] for name, one in held.items()})
-                for i, point in enumerate(points)
+                for i, point in enumerate(thing.box.corners)
             ],
             C=entries(thing.c),
             rates=dict(thing.rates) or None,
             sizes=None if thing.sizes is None else thing.sizes.tolist(),
-            time=_time(thing.time),
+            time=time,
         )
 
     def made(self, functions: Functions) -> CornerSystem:
         """The system."""
         box = Box(self.box)
-        ordered = [self._corner(box.named(vertex)) for vertex in box.vertices]
+        ordered = [self._corner(point) for point in box.corners]
         if len(self.corners) > len(ordered):
             raise ParameterError(
                 f"the box has {len(ordered)} corners, received {len(self.corners)}", field="corners"
@@ -149,12 +139,13 @@ class ParameterVaryingDocument(Document, tag="parameter-varying plant", frozen=T
         decoupled = [one.TA for one in ordered]
         if any(one is None for one in decoupled) and any(one is not None for one in decoupled):
             raise ParameterError("TA is given at some corners only: give it at all or at none", field="TA")
+        held: dict[str, list[Any]] = {"A": [one.A for one in ordered], "F": [one.F for one in ordered]}
+        if decoupled[0] is not None:
+            held["TA"] = decoupled
         return CornerSystem(
             box,
-            _stacked("A", [one.A for one in ordered]),
-            _stacked("F", [one.F for one in ordered]),
-            self.C,
-            TA=None if decoupled[0] is None else _stacked("TA", decoupled),
+            C=self.C,
+            **{name: _stacked(name, each) for name, each in held.items()},
             rates=self.rates,
             sizes=self.sizes,
             time=self.time,
@@ -186,31 +177,14 @@ def functions_of(thing: Any) -> dict[str, Any]:
     return found
 
 
-def _named(f: Nonlinearity) -> Any:
-    """The names of f, one if all components have the same."""
-    if f.codes is None:
-        return entries(f.function)
-    names = tuple(NAMED[code] for code in f.codes)
-    return names[0] if len(set(names)) == 1 else names
-
-
 def _slopes(f: Nonlinearity) -> Any:
     """The slopes where they are not those of the names."""
     if f.slopes is None:
         return None
-    if f.codes is not None:
-        known = tuple((KNOWN[NAMED[code]].low, KNOWN[NAMED[code]].high) for code in f.codes)
-        if f.slopes == known:
-            return None
+    known = [KNOWN[NAMED[code]] for code in f.codes or ()]
+    if f.codes is not None and f.slopes == tuple((one.low, one.high) for one in known):
+        return None
     return [(finite(low), finite(high)) for low, high in f.slopes]
-
-
-def _low(value: float | None) -> float:
-    return -np.inf if value is None else value
-
-
-def _time(value: str) -> Time:
-    return "discrete" if value == "discrete" else "continuous"
 
 
 def _stacked(name: str, matrices: list[Any]) -> Any:

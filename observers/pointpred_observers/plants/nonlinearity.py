@@ -83,13 +83,6 @@ def nonlinearity(f: Any, count: int, slopes: Any = None) -> Nonlinearity:
     """The f of a name, of one name for each of ``count`` components, or of a function of the vector.
 
     Raises ParameterError for an unknown name and for slopes that are not intervals.
-
-    >>> nonlinearity("sin", 2)([0.0, 0.5]).round(3).tolist()
-    [0.0, 0.479]
-    >>> nonlinearity("sine", 1)
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: f must be a function or one of identity, sin, tanh, atan, saturation, \
-cube, received 'sine'
     """
     if isinstance(f, Nonlinearity):
         return (

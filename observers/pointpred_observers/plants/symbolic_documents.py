@@ -6,8 +6,8 @@ from typing import Any, Self
 
 import msgspec
 
-from pointpred_observers.plants.entries import Document, Functions
-from pointpred_observers.plants.expressions import names_of, parsed, symbols_of, text_of
+from pointpred_observers.plants.entries import Document, Functions, fields_of
+from pointpred_observers.plants.expressions import parsed, symbols_of, text_of
 from pointpred_observers.plants.polynomials import Free
 from pointpred_observers.plants.symbolic import (
     SymbolicGenerator,
@@ -27,18 +27,6 @@ class SymbolicPlantDocument(Document, tag="symbolic plant", frozen=True):
     zero: tuple[str, ...] = ()
     zero_field: tuple[str, ...] = ()
 
-    @classmethod
-    def of(cls, thing: SymbolicSystem) -> Self:
-        """The document of a plant."""
-        return cls(
-            states=names_of(thing.states),
-            field=_texts(thing.field),
-            input=names_of([thing.input])[0],
-            outputs=_texts(thing.outputs),
-            zero=names_of(thing.zero),
-            zero_field=_texts(thing.zero_field),
-        )
-
     def made(self, functions: Functions) -> SymbolicSystem:
         """The plant."""
         return SymbolicSystem(
@@ -56,11 +44,6 @@ class SymbolicGeneratorDocument(Document, tag="symbolic generator", frozen=True)
 
     states: tuple[str, ...]
     field: tuple[str, ...]
-
-    @classmethod
-    def of(cls, thing: SymbolicGenerator) -> Self:
-        """The document of a generator."""
-        return cls(states=names_of(thing.states), field=_texts(thing.field))
 
     def made(self, functions: Functions) -> SymbolicGenerator:
         """The generator."""
@@ -89,16 +72,15 @@ class SteadyStateDocument(Document, tag="steady state", frozen=True):
     def of(cls, thing: SymbolicSteadyState) -> Self:
         """The document of a steady state."""
         return cls(
-            plant=SymbolicPlantDocument.of(thing.system),
-            generator=SymbolicGeneratorDocument.of(thing.generator),
-            maps=_texts(thing.maps),
-            input=text_of(thing.input),
-            zero_maps=_texts(thing.zero_maps),
-            degree=thing.degree,
-            free=tuple(
-                FreeTerms(one.degree, {name: text_of(term) for name, term in one.terms.items()})
-                for one in thing.free
-            ),
+            **fields_of(cls, msgspec.structs.replace(thing, generator=None, free=()))
+            | {
+                "plant": SymbolicPlantDocument.of(thing.system),
+                "generator": SymbolicGeneratorDocument.of(thing.generator),
+                "free": tuple(
+                    FreeTerms(one.degree, {name: text_of(term) for name, term in one.terms.items()})
+                    for one in thing.free
+                ),
+            }
         )
 
     def made(self, functions: Functions) -> SymbolicSteadyState:
@@ -116,10 +98,6 @@ class SteadyStateDocument(Document, tag="steady state", frozen=True):
             for one in self.free
         )
         return msgspec.structs.replace(steady, degree=self.degree, free=free)
-
-
-def _texts(expressions: Any) -> tuple[str, ...]:
-    return tuple(text_of(one) for one in expressions)
 
 
 def _read(name: str, texts: tuple[str, ...]) -> list[Any]:

@@ -313,10 +313,6 @@ class CornerMatrix:
     """A matrix that is affine in each variable of a box, also beyond it; exact at the corners.
 
     A variable along which the matrix does not change need not be in the point.
-
-    >>> held = CornerMatrix(Box({"k": (1.0, 3.0)}), np.array([[[10.0]], [[30.0]]]))
-    >>> held({"k": 1.5}).tolist(), held({"k": 4.0}).tolist()
-    ([[15.0]], [[40.0]])
     """
 
     def __init__(self, box: Box, values: FloatArray) -> None:

@@ -26,12 +26,7 @@ def kernel(matrix: FloatArray, size: float | None = None) -> FloatArray:
 
 
 def independent(c: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """R and C' with C = R C', R'R = I and independent rows in C'; R is the identity if C has such rows.
-
-    >>> rows, c = independent(np.array([[3.0, 0.0], [4.0, 0.0]]))
-    >>> (rows @ c).round(9).tolist(), len(c)
-    ([[3.0, 0.0], [4.0, 0.0]], 1)
-    """
+    """R and C' with C = R C', R'R = I and independent rows in C'; R is the identity if C has such rows."""
     left, sizes, right = np.linalg.svd(c, full_matrices=False)
     rank = int((sizes > RELATIVE * sizes.max(initial=0.0)).sum())
     if rank == len(c):
@@ -40,12 +35,7 @@ def independent(c: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
-    """An orthonormal basis of the largest subspace inside ker C that Gamma maps into itself.
-
-    >>> basis = unobservable(np.array([[0.0, 1.0], [0.0, -3.0]]), np.array([[0.0, 1.0]]))
-    >>> np.abs(basis).round(6).tolist()
-    [[1.0], [0.0]]
-    """
+    """An orthonormal basis of the largest subspace inside ker C that Gamma maps into itself."""
     basis, size = kernel(c), float(np.linalg.norm(gamma, 2))
     while basis.shape[1]:
         moved = gamma @ basis
@@ -58,11 +48,7 @@ def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
 
 
 def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
-    """The eigenvalues of Gamma that Gamma - K C keeps for every K, complex, the slowest first.
-
-    >>> fixed_modes(np.diag([-1.0, -2.0]), np.array([[1.0, 0.0]])).real.tolist()
-    [-2.0]
-    """
+    """The eigenvalues of Gamma that Gamma - K C keeps for every K, complex, the slowest first."""
     units = balanced(gamma, seen=c)
     gamma = inward(gamma, units.states, units.states)
     basis = unobservable(gamma, inward(c, units.outputs, units.states))

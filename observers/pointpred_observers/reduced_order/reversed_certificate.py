@@ -116,6 +116,9 @@ def theorem_3_3_1(
         problem.symmetric("W", q)
     corners = vertices(slopes) if sloped else {}
 
+    def sector(one: Connection, corner: FloatArray) -> Block:
+        return lambda v: v.W - symmetric(v.P @ one.S1 @ corner @ one.J)
+
     def add(one: Connection, mark: str) -> None:
         if F is not None:
             f = matrix("F", F, q, one.S1.shape[1])
@@ -123,7 +126,7 @@ def theorem_3_3_1(
         for name, corner in corners.items():
             problem.above(
                 f"W - sym(F D J), D = diag({name}){mark}",
-                lambda v, d=corner: v.W - symmetric(v.P @ one.S1 @ d @ one.J),
+                sector(one, corner),
                 strict=False,
             )
         problem.below(

@@ -222,16 +222,6 @@ class InvariantObserver(Observer):
         ``PersidskiiStage``. Raises ParameterError.
 
         Reference: Khalin 2022, (3.17), (3.19), (3.29).
-
-        >>> from pointpred_observers import Persidskii
-        >>> plant = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0])
-        >>> stage = InvariantObserver(plant, [[0.0, 1.0]], [[-20.0]]).stage(step_s=0.01)
-        >>> for i in range(100):
-        ...     state = stage.update(i / 100, [0.3 * i / 100])
-        >>> state.round(6).tolist()
-        [0.297, 0.3]
-        >>> stage.update(1.5, None).round(4).tolist()  # half a second later, without a measurement
-        [0.45, 0.3]
         """
         plant, now = self.plant, self.at(0.0)
         m, inputs = plant.p + plant.m + plant.z, plant.m + plant.z
@@ -482,7 +472,7 @@ def _right(a: FloatArray, b: FloatArray) -> FloatArray:
     rows = or_one(np.abs(a / columns).max(axis=1))
     scaled = a / columns / rows[:, None]
     right = b / columns
-    solution = np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T
+    solution: FloatArray = np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T
     inverse = np.asarray(np.linalg.pinv(scaled), np.float64)
     answer: FloatArray = without_rounding(solution, np.abs(right) @ np.abs(inverse), share=NO_DIGIT) / rows
     return answer

@@ -34,13 +34,7 @@ class Split(msgspec.Struct, frozen=True):
 
 
 def split(plant: Persidskii, Pi: Any) -> Split:
-    """The plant with its measured combinations as coordinates; raises ParameterError if that is impossible.
-
-    >>> plant = Persidskii([[0.0, 1.0], [-3.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
-    >>> one = split(plant, [[0.0, 1.0]])
-    >>> one.drift.tolist(), one.seen.tolist()
-    ([[-1.0]], [[1.0]])
-    """
+    """The plant with its outputs as coordinates; raises ParameterError where that is impossible."""
     if plant.varying:
         raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
     if plant.C1.any():
