@@ -23,10 +23,7 @@ from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 class Interconnection:
     """The blocks of Theorem 3.2.1 as functions of P, U, Theta, ...
 
-    ``j`` is J = H Pi and ``output`` C0 Pi; ``corners`` are those of the slopes, none if the blocks do not
-    depend on f, and then no ``slopes`` either.
-    Raises ParameterError where the generator's own J is not H Pi or its own f not the plant's, or where the
-    slopes are not bounded.
+    ``j`` is J = H Pi, ``output`` C0 Pi; ``corners`` of the slopes, none if the blocks do not depend on f.
     """
 
     def __init__(self, plant: Plant, generator: Generator, Pi: Any) -> None:

@@ -124,8 +124,8 @@ class Realisation:
     def fastest(self, t: float, slopes: Any) -> float:
         """A bound of the rates of the stage at a time in 1/s, with its inputs measured or missing.
 
-        The Perron root of abs(N) + abs(L) S abs(J) bounds each eigenvalue of N + L D J with abs(D) <= S,
-        and does not change with the units of the states. Unbounded slopes do not count.
+        The Perron root of abs(N) + abs(L) S abs(J) bounds each eigenvalue of N + L D J with abs(D) <= S, in
+        any units.
         """
         n, ell, j, k, r, v0, v1, v2 = (self.at(name, t) for name in ("N", "L", "J", "K", "R", *REPLACING))
         valued, rest = self.valued, ~self.valued

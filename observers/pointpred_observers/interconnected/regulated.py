@@ -63,11 +63,9 @@ def growing_mode(
 ) -> GrowingMode | None:
     """A growing motion of x' = a x + b f, f = D h x, with D of the ``candidates`` for each component.
 
-    ``admitted`` says which motions exclude the matrices of the theorem. The slopes are searched component by
-    component for the largest growth beside the size of a + b D h, real ones first: with them the plant itself
-    is unstable. That no motion is found proves nothing.
-
-    Shapes: ``a`` (n, n), ``b`` (n, k), ``h`` (k, n).
+    ``admitted`` says which motions exclude the matrices of the theorem. The slopes are searched component
+    by component for the largest growth beside the size of a + b D h, real ones first. That none is found
+    proves nothing.
     """
     for each in ([one[i] for one in candidates] for i in range(2)):
         mode = _search(a, b, h, each, admitted)

@@ -98,11 +98,7 @@ def residuals(
 
 
 def shares_left(found: Equalities) -> dict[str, float]:
-    """The largest share that an entry of each of these ``equalities`` has of its own terms.
-
-    It does not depend on the units of states, inputs, outputs and time: 1 where an entry fails completely,
-    however large those of other rows, columns and equalities are.
-    """
+    """The largest share that an entry of each of these ``equalities`` has of its own terms, in any units."""
     # Rows of the plant's states go through all equalities but that of J: they show together what is rounding.
     states = [name for name in found if name != SHARED]
     wide = row_rounding(np.hstack([found[name][1] for name in states]))
@@ -327,8 +323,7 @@ def checked_equations(
 ) -> RegulatorEquations:
     """The equations of given matrices, such as those of a file, for a generator w' = S0 w + E rho.
 
-    Residuals and nullity are computed. Raises CertificateError naming an equality that does not hold to
-    ``TOLERANCE`` of its own terms; ParameterError for a shape.
+    Raises CertificateError naming an equality that does not hold to ``TOLERANCE`` of its own terms.
     """
     q = len(S0)
     rows = matrix("R", R, None, plant.n)

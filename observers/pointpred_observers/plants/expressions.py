@@ -45,8 +45,7 @@ def symbols_of(names: tuple[str, ...]) -> list[Any]:
 def parsed(text: str, where: str) -> Any:
     """The expression that a text means: numbers, names, + - * / **, and the known functions of one argument.
 
-    Decimals are read as they print. Nothing is evaluated as Python. Raises ParameterError naming ``where``
-    and the part that cannot be read.
+    Decimals are read as they print. Nothing is evaluated as Python. Raises ParameterError naming ``where``.
     """
     if len(text) > LONGEST:
         raise ParameterError(f"{where}: an expression has at most {LONGEST} characters, received {len(text)}")

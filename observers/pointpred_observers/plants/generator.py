@@ -74,11 +74,7 @@ class Generator:
         self.f = None if f is None else nonlinearity(f, values[0] if values else 1)
 
     def beside(self, plant: Plant) -> Fitted:
-        """Every matrix in the shape that the plant needs, zero where it was left out.
-
-        Raises ParameterError naming the matrix, its shape and the shape needed, and where the generator is
-        discrete and the plant is not, or the other way round.
-        """
+        """Every matrix in the shape that the plant needs, zero where left out; raises ParameterError."""
         if self._fitted is not None and self._fitted[0] is plant:
             return self._fitted[1]
         given, plant, q = plant, as_plant(plant), self.q
@@ -103,20 +99,16 @@ class Generator:
 
 
 def fitted(generator: Any, plant: Plant, name: str = "generator") -> Fitted:
-    """Every matrix of a generator, or of a regulator, in the shape that the plant needs.
-
-    Raises ParameterError for what is no generator, and naming the matrix that does not fit.
-    """
+    """Every matrix of a generator, or of a regulator, in the shape that the plant needs; checked."""
     return instance(name, generator, Generator).beside(plant)
 
 
 def require_same_nonlinearity(
     plant: Persidskii, generator: Generator, Pi: FloatArray | None = None, name: str = "generator"
 ) -> None:
-    """Raise ParameterError unless generator and plant share f and its arguments, as every proof assumes.
+    """Raise ParameterError unless generator and plant share f and, with ``Pi``, its arguments, J = H Pi.
 
-    The proofs compare f(Hx) with f(Jw): they say nothing of a generator whose own f is another one, nor,
-    where ``Pi`` (n, q) is passed, of a J that differs from H Pi by more than rounding of its terms.
+    Every proof compares f(Hx) with f(Jw).
     """
     used = [one for one in (generator.S1, generator.L1) if one is not None]
     if generator.f is not None and used:

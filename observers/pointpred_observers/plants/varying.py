@@ -83,10 +83,7 @@ class ParameterVaryingSystem:
         return self._decoupled is not None
 
     def units(self, gammas: FloatArray, decay: float) -> tuple[Coordinates, float]:
-        """The units in which a design for ``gammas`` is posed, and the unit of time in which it is balanced.
-
-        The first are those of ``sizes``, or balanced ones.
-        """
+        """The units of a design for ``gammas``, of ``sizes`` or balanced, and the balanced unit of time."""
         units = balanced(gammas, seen=self.c, rates=(2.0 * decay,), time=self.time)
         if self.sizes is None:
             return units, units.seconds
@@ -94,11 +91,7 @@ class ParameterVaryingSystem:
         return Coordinates(self.sizes, outputs, none, none, 1.0), units.seconds
 
     def weighted(self, box: Box) -> Self:
-        """The same system, whose (C F)^+ weighs the outputs in balanced units if there is a choice.
-
-        With more outputs than unknown inputs there are many inverses of C F; the one of plain least squares
-        would depend on the units of the outputs.
-        """
+        """The same system, whose (C F)^+ weighs the outputs in balanced units if there is a choice."""
         if self.decoupled or len(self.c) == self.f(box.corners[0]).shape[1]:
             return self
         other = copy(self)
@@ -120,10 +113,7 @@ class ParameterVaryingSystem:
         return -f @ self._inverse(f)
 
     def t(self, point: Point, *, check: bool = True) -> FloatArray:
-        """T = I + E C; raises ParameterError naming the ranks if T F = 0 is impossible.
-
-        Without ``check`` it is computed in any case.
-        """
+        """T = I + E C; with ``check`` raises ParameterError naming the ranks if T F = 0 is impossible."""
         if check:
             return decoupling(self.f(point), self._weights[:, None] * self.c)
         e, one = self.e(point), np.eye(self.c.shape[1])
@@ -310,10 +300,7 @@ class CornerSystem(ParameterVaryingSystem):
 
 
 class CornerMatrix:
-    """A matrix that is affine in each variable of a box, also beyond it; exact at the corners.
-
-    A variable along which the matrix does not change need not be in the point.
-    """
+    """A matrix that is affine in each variable of a box, also beyond it; exact at the corners."""
 
     def __init__(self, box: Box, values: FloatArray) -> None:
         wide = [(name, pair) for name, pair in box.bounds.items() if pair[0] < pair[1]]

@@ -15,10 +15,7 @@ RELATIVE = 1e-9
 
 
 def kernel(matrix: FloatArray, size: float | None = None) -> FloatArray:
-    """An orthonormal basis of the null space of a matrix, one vector per column.
-
-    ``size`` is the reference for small singular values, by default the largest.
-    """
+    """An orthonormal basis of the null space, a vector a column; ``size`` in place of the largest value."""
     _, sizes, rows = np.linalg.svd(np.atleast_2d(matrix))
     rank = int((sizes > RELATIVE * (sizes.max(initial=0.0) if size is None else size)).sum())
     basis: FloatArray = rows[rank:].T
@@ -59,10 +56,7 @@ def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
 
 
 def _rank(entries: FloatArray, sizes: FloatArray) -> int:
-    """The rank of a matrix after its rows and columns are scaled, so that it does not depend on units.
-
-    ``sizes`` are those of the terms of each entry, of which it may be a small difference.
-    """
+    """The rank in any units; ``sizes`` are those of the terms of each entry."""
     rows = sizes.max(axis=1, initial=0.0)
     rows[rows == 0.0] = 1.0
     columns = (sizes / rows[:, None]).max(axis=0, initial=0.0)
@@ -71,10 +65,7 @@ def _rank(entries: FloatArray, sizes: FloatArray) -> int:
 
 
 def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
-    """T = I - F (C F)^+ C, which blocks the unknown inputs: T F = 0.
-
-    Raises ParameterError naming the ranks if the unknown inputs cannot be decoupled.
-    """
+    """T = I - F (C F)^+ C, with T F = 0; raises ParameterError naming the ranks if there is none."""
     if f.ndim != 2 or c.ndim != 2 or f.shape[0] != c.shape[1]:
         raise ParameterError(f"C F must exist: F has shape {f.shape}, C has shape {c.shape}")
     if not f.shape[1]:

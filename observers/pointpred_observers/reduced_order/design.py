@@ -216,10 +216,10 @@ class ReducedOrderDocument(InvariantDocument, tag="reduced-order observer", froz
 
 
 def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
-    """The unmeasured part turned to the axes of the stationary filter's P; ``None`` if there is no filter.
+    """The unmeasured part turned to the axes of the stationary filter's P, if there is a filter.
 
-    A state that the outputs barely show is then a coordinate of its own. Elsewhere it is a small difference
-    of large numbers, and rounding decides the inequality.
+    A state that the outputs barely show is then a coordinate of its own, and no small difference of large
+    numbers.
     """
     pi = _unmeasured(plant)
     parts = split(plant, pi)

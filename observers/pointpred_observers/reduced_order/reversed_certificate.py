@@ -36,12 +36,11 @@ Slopes = tuple[tuple[float, float], ...] | None
 class Convergence(msgspec.Struct, frozen=True):
     """A certificate that the invariant solution attracts the observer's state.
 
-    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` of each inequality recomputed from
-    them, and the ``bound`` of the error for a disturbance delta of the observer's equation. The certificate
-    holds while the arguments of f stay within ``domain``; ``J`` maps the error to them, the rows of one
-    certified time below those of another. ``gap``: how far the
-    least condition number of P in balanced units (in discrete time plus the size of Gamma) could lie below
-    that of this one, relative to it; infinite if nothing is proved.
+    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` recomputed from them, the
+    ``bound`` of the error for a disturbance delta of the observer's equation. It holds while the arguments
+    of f, ``J`` times the error beside the true ones, stay within ``domain``. ``gap``: how far the least
+    condition number of P in balanced units (in discrete time plus the size of Gamma) could lie below that
+    of this one, relative to it.
     """
 
     theorem: str
@@ -53,12 +52,9 @@ class Convergence(msgspec.Struct, frozen=True):
     gap: float = np.inf
 
     def region(self, reach: float) -> tuple[float, float]:
-        """The region of validity, if abs(H x) stays within ``reach``, not below 0, on the true trajectory.
+        """The level c of e'Pe <= c and the radius of the largest ball of initial errors in the domain.
 
-        Returns the level c of the ellipsoid e'Pe <= c that keeps the observer's arguments within the
-        domain, and the radius of the largest ball of initial errors in it; infinite if the domain is. Raises
-        CertificateError if the trajectory itself leaves the domain, ParameterError for a ``reach`` that is
-        no bound.
+        ``reach`` bounds abs(H x) on the true trajectory. Raises CertificateError if that leaves the domain.
         """
         return region(
             self.values["P"], self.J, self.domain, np.full(len(self.J), positive("reach", reach, zero=True))
@@ -226,7 +222,6 @@ def certified_convergence(
 ) -> Convergence:
     """The certificate that matrices from any source are, audited; constant matrices of the observer only.
 
-    Parameters: ``values`` P, Xi and gamma, and W where f matters, in discrete time P, Xi, Gamma and alpha.
     Raises CertificateError naming the equality or the inequality that fails.
     """
     connections = _held(observer, None)
@@ -241,11 +236,7 @@ def certified_convergence(
 def connections_of(
     observer: Any, slopes: Any = None, times: Sequence[float] | None = None
 ) -> tuple[list[Connection], Slopes]:
-    """The matrices at each time, of an observer or as printed, with the slopes of f.
-
-    Raises ParameterError for anything else, for slopes that the f of an observer's plant does not have, and
-    for printed matrices whose shapes do not fit; the slopes of a printed f are the caller's own.
-    """
+    """The matrices at each time, of an observer or as printed, with the slopes of f; checked."""
     if isinstance(observer, InvariantObserver):
         varying = "the observer" if observer.varying else ""
         connections = [observer.at(t) for t in moments(varying, times, "checked")]
@@ -297,10 +288,7 @@ def _held(observer: InvariantObserver, times: Sequence[float] | None) -> list[Co
 
 
 def lipschitz(slopes: Slopes, j: FloatArray) -> FloatArray:
-    """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)), from the slopes.
-
-    Theorem 3.3.2 has gamma I, gamma the largest singular value of L: larger, and it depends on the units.
-    """
+    """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)); the gamma I of Theorem 3.3.2 is its norm, larger."""
     if slopes is None or not np.isfinite(np.array(slopes)).all():
         raise ParameterError(f"a certificate needs bounded slopes, received {slopes}")
     steepest = np.abs(np.array(slopes).reshape(-1, 2)).max(axis=1, initial=0.0)

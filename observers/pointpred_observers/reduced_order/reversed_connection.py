@@ -13,7 +13,7 @@ from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.interconnected.realisation import MissingInputs
-from pointpred_observers.interconnected.simulation import like, open_loop, walked
+from pointpred_observers.interconnected.simulation import alone, like
 from pointpred_observers.numerics.equalities import (
     NO_DIGIT,
     TOLERANCE,
@@ -63,10 +63,7 @@ class Connection(msgspec.Struct, frozen=True):
     shares: dict[str, float] = {}
 
     def require_equalities(self) -> None:
-        """Raise CertificateError unless every equality holds to ``TOLERANCE``, however it was built.
-
-        Where one fails w = Z x is not invariant, and no decay of w bounds the error of the estimate.
-        """
+        """Raise CertificateError unless every equality holds to ``TOLERANCE``: w = Z x is invariant."""
         for name, share_left in self.shares.items():
             if not share_left <= TOLERANCE:
                 raise CertificateError(
@@ -127,10 +124,7 @@ class InvariantObserver(Observer):
         return np.asarray(self.at(t).Z @ np.asarray(x, np.float64))
 
     def recovery(self, t: float) -> tuple[FloatArray, FloatArray]:
-        """X, Y with x = X w + Y y on the invariant solution.
-
-        Raises ParameterError if w and y do not determine x, or y contains the nonlinearity.
-        """
+        """X, Y with x = X w + Y y on the invariant solution; raises ParameterError where there are none."""
         now, plant = self.at(t), self.plant.matrices(t)
         both = np.vstack([now.Z, plant["C0"]])
         if plant["C1"].any():
@@ -158,8 +152,7 @@ class InvariantObserver(Observer):
     def output_rate(self, t: float) -> tuple[FloatArray, FloatArray, FloatArray]:
         """V0, V1, V2 with y' = V0 w + V1 f(Hx) + V2 (y, u), in discrete time the next y, as the plant has it.
 
-        V0, V1 and V2 keep the outputs as they are if C0 varies in continuous time and its derivative is not
-        known.
+        Zero, so that outputs stay, if C0 varies in continuous time and its derivative is not known.
         """
         plant, now, discrete = self.plant, self.plant.matrices(t), self.plant.time == "discrete"
         onto, straight = self.recovery(t)
@@ -192,8 +185,8 @@ class InvariantObserver(Observer):
     def error_system(self) -> ErrorSystem:
         """(3.26): w^ - (Pi x + Upsilon y), disturbed by ``delta`` of the observer's equation and ``v`` of y.
 
-        Raises ParameterError where the matrices vary; CertificateError where w = Pi x + Upsilon y is not
-        invariant, so that its error obeys no such equation.
+        Raises ParameterError where matrices vary, CertificateError where w = Pi x + Upsilon y is not
+        invariant.
         """
         if self.varying:
             raise ParameterError("an error system needs constant matrices, those of the observer vary")
@@ -213,15 +206,10 @@ class InvariantObserver(Observer):
     def stage(self, *, start: ArrayLike | None = None, **settings: Any) -> PersidskiiStage:
         """Observer (3.17) or (3.19) as a stage: inputs are y, then u; it returns the plant's x.
 
-        Assumes C1 = 0 and that w and y determine x, as for a reduced-order observer. The measured part of the
-        output is the measurement with its noise, which also enters the rest through Upsilon. While an output
-        is missing it follows the plant's equation, y' = C0 x'; a missing u keeps its last value. Compiled for
-        constant matrices and an f that has a name; others run in numpy.
-
-        Parameters: ``start`` a guess of the plant's state, default zeros; ``step_s`` and ``gap_s`` as for
-        ``PersidskiiStage``. Raises ParameterError.
-
-        Reference: Khalin 2022, (3.17), (3.19), (3.29).
+        Assumes C1 = 0 and that w and y determine x. The measured part of the output is the measurement with
+        its noise, which also enters the rest through Upsilon. While an output is missing it follows y' = C0
+        x'; a missing u keeps its last value. ``start`` a guess of the plant's state, default zeros; the
+        rest as ``PersidskiiStage``.
         """
         plant, now = self.plant, self.at(0.0)
         m, inputs = plant.p + plant.m + plant.z, plant.m + plant.z
@@ -269,12 +257,7 @@ class InvariantObserver(Observer):
         self, plant: Any, setting: Setting, title: str = "observer", bound: FloatArray | None = None
     ) -> Simulation:
         """The plant that nothing feeds back."""
-        one = like(plant, self.plant)
-        times = setting.samples(one.time == "discrete")
-        stage = self.stage(start=setting.begin(one.n, "estimate", 0.0))
-        state, inputs, outputs = open_loop(one, setting, times)
-        answers = walked(stage, times, outputs, inputs)
-        return Simulation.of(one, times, state, answers, outputs, inputs, title, bound=bound)
+        return alone(like(plant, self.plant), self, setting, title, bound)
 
     def document(self) -> InvariantDocument:
         """Plant and maps, which must not vary."""
@@ -462,27 +445,21 @@ def _at(given: Given, t: float) -> Any:
 
 
 def _right(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The least-squares solution of X a = b, of least norm after the rows and columns of a are scaled to 1.
-
-    The scale keeps a combination of states in small units from counting as rounding. What is rounding is 0.
-    """
+    """The least-squares X of X a = b, of least norm in units of rows and columns; rounding is 0."""
     if not a.size:
         return np.zeros((len(b), len(a)))
     columns = or_one(np.abs(a).max(axis=0))
     rows = or_one(np.abs(a / columns).max(axis=1))
     scaled = a / columns / rows[:, None]
     right = b / columns
-    solution: FloatArray = np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T
+    solution = np.asarray(np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T, np.float64)
     inverse = np.asarray(np.linalg.pinv(scaled), np.float64)
     answer: FloatArray = without_rounding(solution, np.abs(right) @ np.abs(inverse), share=NO_DIGIT) / rows
     return answer
 
 
 def _share_before_f(gain: FloatArray, c0: FloatArray, c1: FloatArray) -> float:
-    """How much of f a gain of the outputs lets through, as a share of what it would without cancelling.
-
-    An entry of the gain that is rounding beside its row, with each output in a unit of its own, stands for 0.
-    """
+    """How much of f a gain of the outputs lets through, as a share of what it would without cancelling."""
     both = np.hstack([np.abs(c0) / column_units(c0), np.abs(c1)])
     outputs = or_one(both.max(axis=1, initial=0.0))
     most = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]
