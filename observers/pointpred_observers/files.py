@@ -21,17 +21,15 @@ from pointpred_observers.plants.documents import (
     GeneratorDocument,
     ParameterVaryingDocument,
     PlantDocument,
+    SteadyStateDocument,
+    SymbolicGeneratorDocument,
+    SymbolicPlantDocument,
 )
 from pointpred_observers.plants.entries import Document, Functions
 from pointpred_observers.plants.generator import Generator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred_observers.plants.symbolic_documents import (
-    SteadyStateDocument,
-    SymbolicGeneratorDocument,
-    SymbolicPlantDocument,
-)
 from pointpred_observers.plants.varying import CornerSystem, ParameterVaryingSystem
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.reduced_order.design import ReducedOrderDocument

@@ -98,6 +98,12 @@ def summed(*products: tuple[FloatArray, ...]) -> tuple[FloatArray, FloatArray]:
     return reduce(np.add, each), reduce(np.add, sizes)
 
 
+def cleared(*products: tuple[FloatArray, ...], share: float = REMAINDER) -> FloatArray:
+    """A sum of products of matrices with zeros for the entries that are rounding."""
+    whole, sizes = summed(*products)
+    return without_rounding(whole, sizes, share=share)
+
+
 def largest(equalities: Equalities) -> dict[str, float]:
     """The largest residual of each equality."""
     return {name: float(np.abs(left).max(initial=0.0)) for name, (left, _) in equalities.items()}

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.balance import Coordinates, balanced
-from pointpred_observers.numerics.equalities import without_rounding
+from pointpred_observers.numerics.equalities import cleared
 from pointpred_observers.numerics.matrices import TIMES, dimensions, instance, matrix, one_of
 from pointpred_observers.plants.boxes import (
     Box,
@@ -116,15 +116,13 @@ class ParameterVaryingSystem:
         """T = I + E C; with ``check`` raises ParameterError naming the ranks if T F = 0 is impossible."""
         if check:
             return decoupling(self.f(point), self._weights[:, None] * self.c)
-        e, one = self.e(point), np.eye(self.c.shape[1])
-        return without_rounding(one + e @ self.c, one, np.abs(e) @ np.abs(self.c))
+        return cleared((np.eye(self.c.shape[1]),), (self.e(point), self.c))
 
     def ta(self, point: Point) -> FloatArray:
         """T A at a point."""
         if self._decoupled is not None:
             return _shaped("T A", self._decoupled(point), (self.c.shape[1], self.c.shape[1]))
-        t, a = self.t(point, check=False), self.a(point)
-        return without_rounding(t @ a, np.abs(t) @ np.abs(a))
+        return cleared((self.t(point, check=False), self.a(point)))
 
     def e_rate(self, point: Point) -> FloatArray:
         """dE/dt from the rates of F's variables; exact for F affine in each, zero in discrete time."""
@@ -140,8 +138,7 @@ class ParameterVaryingSystem:
         ta = self.ta(point)
         if not self.rates:
             return ta
-        moving = self.e_rate(point)
-        return without_rounding(ta + moving @ self.c, ta, np.abs(moving) @ np.abs(self.c))
+        return cleared((ta,), (self.e_rate(point), self.c))
 
     def at_vertices(self, box: Box) -> tuple[FloatArray, FloatArray]:
         """Gamma and T at each vertex; raises ParameterError where one is not affine in each variable."""

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.balance import balanced, inward
-from pointpred_observers.numerics.equalities import without_rounding
+from pointpred_observers.numerics.equalities import cleared, or_one
 
 RELATIVE = 1e-9
 """Singular values below this share of the largest count as zero."""
@@ -57,10 +57,8 @@ def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
 
 def _rank(entries: FloatArray, sizes: FloatArray) -> int:
     """The rank in any units; ``sizes`` are those of the terms of each entry."""
-    rows = sizes.max(axis=1, initial=0.0)
-    rows[rows == 0.0] = 1.0
-    columns = (sizes / rows[:, None]).max(axis=0, initial=0.0)
-    columns[columns == 0.0] = 1.0
+    rows = or_one(sizes.max(axis=1, initial=0.0))
+    columns = or_one((sizes / rows[:, None]).max(axis=0, initial=0.0))
     return int(np.linalg.matrix_rank(entries / rows[:, None] / columns, tol=RELATIVE))
 
 
@@ -79,5 +77,4 @@ def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
             f"rank(C F) must equal rank(F): rank(C F) = {rank_cf} < rank(F) = {rank}, "
             "so an unknown input does not reach the outputs directly"
         )
-    e = f @ np.linalg.pinv(cf)
-    return without_rounding(np.eye(len(f)) - e @ c, np.eye(len(f)), np.abs(e) @ np.abs(c))
+    return cleared((np.eye(len(f)),), (-(f @ np.linalg.pinv(cf)), c))

@@ -113,7 +113,7 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
             seen=plant.C0,
             driven=plant.A1,
             inner=plant.H,
-            slopes=plant.slopes if plant.A1.any() and _bounded(plant) else None,
+            slopes=plant.slopes if plant.A1.any() and np.isfinite(plant.slopes or [np.inf]).all() else None,
             rates=(decay,),
             time=plant.time,
         )
@@ -230,11 +230,6 @@ def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
     return without_rounding(turned, np.ones_like(turned), share=NO_DIGIT)
 
 
-def _bounded(plant: Persidskii) -> bool:
-    """Whether every slope is known and bounded."""
-    return plant.slopes is not None and bool(np.isfinite(plant.slopes).all())
-
-
 def _inward(plant: Persidskii, units: Coordinates) -> Persidskii:
     """The plant with its states and outputs in these units; f, inputs and time keep theirs."""
     x, y = units.states, units.outputs
@@ -269,25 +264,16 @@ def _chosen(
     )
 
     def made(units: Coordinates) -> tuple[FloatArray, float, dict[str, Any]]:
-        x, y, f, s, t = units.states, units.outputs, units.values, units.arguments, units.seconds
-        slopes = units.slopes(plant.slopes)
-        choice = InjectionSearch(
-            Split(
-                inward(parts.drift, x, x, t),
-                inward(parts.seen, y, x),
-                inward(parts.driven, x, f, t),
-                inward(parts.shown, y, f),
-                inward(parts.inner, s, x),
-                parts.outer,
-            ),
-            vertices(slopes) if sloped else {},
-            slopes,
-            plant.time,
-            rates[1] * t,
-        )
+        x, t, slopes = units.states, units.seconds, units.slopes(plant.slopes)
+        corners = vertices(slopes) if sloped else {}
+        choice = InjectionSearch(parts.inward(units), corners, slopes, plant.time, rates[1] * t)
         upsilon, gap, proof = choice.made()
         form = np.outer(x, x)
-        return outward(upsilon, x, y, t), gap, outward_all(proof, {"P": form, "W": t * form, "alpha": 1.0})
+        return (
+            outward(upsilon, x, units.outputs, t),
+            gap,
+            outward_all(proof, {"P": form, "W": t * form, "alpha": 1.0}),
+        )
 
     return least_in_both(units, made)
 

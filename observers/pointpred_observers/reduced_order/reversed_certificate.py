@@ -205,16 +205,63 @@ def certify_convergence(
         if given is not None:
             positive(name, given)
     connections = _held(instance("observer", observer, InvariantObserver), times)
-    slowest = max(_slowest(one, observer.plant) for one in connections)
+    plant = observer.plant
+    slowest = max(_slowest(one, plant) for one in connections)
 
     def certified(rate: float) -> Convergence:
-        return _certified(connections, observer.plant, (rate, gamma or rate), near or {})
+        scale, share = gamma or rate, decay_share(rate, plant.time)
+
+        def posed(units: Coordinates) -> Posed:
+            x, t = units.states, units.seconds
+            inner = [
+                msgspec.structs.replace(
+                    one,
+                    S0=inward(one.S0, x, x, t),
+                    S1=inward(one.S1, x, units.values, t),
+                    J=inward(one.J, units.arguments, x),
+                )
+                for one in connections
+            ]
+            slopes = units.slopes(plant.slopes)
+            problem, identity = _theorem(inner, plant.time, slopes, scale * t), np.eye(len(x))
+            needed = decay_share(rate * t, plant.time)
+            problem.above("Xi for the decay", lambda v: v.Xi - needed * v.P, strict=False)
+            problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
+            if plant.time == "discrete":
+                problem.number("noise").above(
+                    "noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False
+                )
+            form = np.outer(x, x)
+            measured = {"P": form, "Xi": t * form, "W": t * form, "Gamma": form, "alpha": 1.0}
+            given = inward_all(near or {}, measured)
+            start = _start(inner, plant.time, slopes, (rate * t, scale * t), given)
+            return Posed(problem, measured, lambda v: v.bound + getattr(v, "noise", 0.0), start)
+
+        def audited(values: dict[str, Any], gap: float) -> Convergence:
+            # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
+            missing = share - least_ratio(values["P"], values["Xi"])
+            if missing > 0.0:
+                values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
+            margins = _theorem(connections, plant.time, plant.slopes, scale).check(values, printed=False)
+            if plant.time == "continuous":
+                values["gamma"] = scale
+            return Convergence.of(connections, plant, values, margins, gap)
+
+        units = balanced(
+            [one.S0 for one in connections],
+            driven=[one.S1 for one in connections],
+            inner=[one.J for one in connections],
+            slopes=plant.slopes,
+            rates=(rate, scale),
+            time=plant.time,
+        )
+        return search(units, posed, audited, lambda one: 0.5 * float(np.log(np.linalg.cond(one.values["P"]))))
 
     def required(rate: float) -> str:
-        unit = "1/step" if observer.plant.time == "discrete" else "1/s"
+        unit = "1/step" if plant.time == "discrete" else "1/s"
         return f"decay = {rate:g} {unit} and gamma = {gamma or rate:g}"
 
-    return at_decay(decay, slowest, observer.plant.time, certified, required)
+    return at_decay(decay, slowest, plant.time, certified, required)
 
 
 def certified_convergence(
@@ -327,63 +374,6 @@ def _next(one: Connection, steepest: Any) -> Block:
         return np.asarray(diagonal + onward.T @ v.P @ onward)
 
     return block
-
-
-def _certified(
-    connections: list[Connection],
-    plant: Persidskii,
-    rates: tuple[float, float],
-    near: dict[str, Any],
-) -> Convergence:
-    """The certificate of the smaller overshoot for a decay and a gamma."""
-    decay, gamma = rates
-    share = decay_share(decay, plant.time)
-
-    def posed(units: Coordinates) -> Posed:
-        x, t = units.states, units.seconds
-        inner = [
-            msgspec.structs.replace(
-                one,
-                S0=inward(one.S0, x, x, t),
-                S1=inward(one.S1, x, units.values, t),
-                J=inward(one.J, units.arguments, x),
-            )
-            for one in connections
-        ]
-        slopes = units.slopes(plant.slopes)
-        problem, identity = _theorem(inner, plant.time, slopes, gamma * t), np.eye(len(x))
-        needed = decay_share(decay * t, plant.time)
-        problem.above("Xi for the decay", lambda v: v.Xi - needed * v.P, strict=False)
-        problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
-        if plant.time == "discrete":
-            problem.number("noise").above(
-                "noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False
-            )
-        form = np.outer(x, x)
-        measured = {"P": form, "Xi": t * form, "W": t * form, "Gamma": form, "alpha": 1.0}
-        given = inward_all(near, measured)
-        start = _start(inner, plant.time, slopes, (decay * t, gamma * t), given)
-        return Posed(problem, measured, lambda v: v.bound + getattr(v, "noise", 0.0), start)
-
-    def audited(values: dict[str, Any], gap: float) -> Convergence:
-        # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
-        missing = share - least_ratio(values["P"], values["Xi"])
-        if missing > 0.0:
-            values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
-        margins = _theorem(connections, plant.time, plant.slopes, gamma).check(values, printed=False)
-        if plant.time == "continuous":
-            values["gamma"] = gamma
-        return Convergence.of(connections, plant, values, margins, gap)
-
-    units = balanced(
-        [one.S0 for one in connections],
-        driven=[one.S1 for one in connections],
-        inner=[one.J for one in connections],
-        slopes=plant.slopes,
-        rates=rates,
-        time=plant.time,
-    )
-    return search(units, posed, audited, lambda one: 0.5 * float(np.log(np.linalg.cond(one.values["P"]))))
 
 
 def _start(

@@ -17,6 +17,7 @@ from pointpred_observers.interconnected.simulation import alone, like
 from pointpred_observers.numerics.equalities import (
     NO_DIGIT,
     TOLERANCE,
+    cleared,
     column_units,
     largest,
     or_one,
@@ -289,8 +290,7 @@ class InvariantObserver(Observer):
         given = _at(self._given["Upsilon"], t)
         upsilon = np.zeros((self.q, self.plant.p)) if _empty(given) else given
         upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
-        z, sizes = summed((pi,), (upsilon, now["C0"]))
-        return now, pi, upsilon, without_rounding(z, sizes, share=NO_DIGIT)
+        return now, pi, upsilon, cleared((pi,), (upsilon, now["C0"]), share=NO_DIGIT)
 
     def _connection(self, t: float) -> Connection:
         with np.errstate(all="ignore"):  # what overflows is not finite, and refused
@@ -309,8 +309,7 @@ class InvariantObserver(Observer):
         else:
             b = matrix("B", _at(given, t), self.q, self.plant.p)
             s0 = _right(z, change - b @ now["C0"])
-        s1, sizes = summed((onward, now["A1"]), (-b, now["C1"]))
-        s1 = without_rounding(s1, sizes, share=NO_DIGIT)
+        s1 = cleared((onward, now["A1"]), (-b, now["C1"]), share=NO_DIGIT)
         jr = _right(both if self.injection else z, now["H"])
         j, r = jr[:, : self.q], jr[:, self.q :] if self.injection else np.zeros((len(jr), self.plant.p))
         # A large gain makes large terms, which round by a share of their own size.
