@@ -14,7 +14,7 @@ from pointpred_observers.numerics.eigenvalues import hidden, number_text, requir
 from pointpred_observers.numerics.equalities import without_rounding
 from pointpred_observers.numerics.matrices import matrix
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.nonlinearity import NAMED
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
@@ -57,12 +57,8 @@ def assumption_1_3_1(plant: Plant, generator: Generator) -> Moments:
     pointpred.errors.InfeasibleError: Assumption 1.3.1: the generator is not neutrally stable, a motion of \
 the eigenvalue -0.5 decays
     """
-    one = as_plant(plant)
+    one = constant(plant, "Assumption 1.3.1")
     g = fitted(generator, one)
-    if one.varying:
-        raise ParameterError(
-            f"Assumption 1.3.1 is checked for constant matrices; {', '.join(one.varying)} vary"
-        )
     if g.G.any():
         raise ParameterError("the generator of Assumption 1.3.1 has no G: its input is not y", field="G")
     f = one.f if generator.f is None else generator.f
@@ -108,11 +104,9 @@ def joined(plant: Plant, generator: Generator) -> Persidskii:
 
     Raises ParameterError for a generator whose f is another one, or without J where it has an f.
     """
-    one = as_plant(plant)
+    one = constant(plant, "a joint plant")
     g = fitted(generator, one)
     require_same_nonlinearity(one, generator)
-    if one.varying:
-        raise ParameterError(f"a plant is joined with constant matrices; {', '.join(one.varying)} vary")
     (n, p), q, count = (one.n, one.p), g.q, 1
     a1, h = np.vstack([one.A1, g.G @ one.C1]), np.hstack([one.H, np.zeros((one.r, q))])
     if g.S1.any() or g.L1.any():
@@ -201,11 +195,7 @@ def assumption_3_2_2(
     pointpred.errors.InfeasibleError: Assumption 3.2.2: the error system has the eigenvalue 0+1j, must lie \
 left of 0
     """
-    one = as_plant(plant)
-    if one.varying:
-        raise ParameterError(
-            f"Assumption 3.2.2 is checked for constant matrices; {', '.join(one.varying)} vary"
-        )
+    one = constant(plant, "Assumption 3.2.2")
     disturbances, a0, a1 = {"d": np.eye(one.n)}, one.A0, one.A1
     if generator is not None:
         g = fitted(generator, one)

@@ -16,7 +16,7 @@ from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import vertices
 from pointpred_observers.numerics.matrices import matrix
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 
 
@@ -27,10 +27,7 @@ class Interconnection:
     """
 
     def __init__(self, plant: Plant, generator: Generator, Pi: Any) -> None:
-        plant = as_plant(plant)
-        if plant.varying:
-            reason = f"{', '.join(plant.varying)} vary: use plant.at"
-            raise ParameterError(f"a design needs constant matrices, {reason}")
+        plant = constant(plant)
         if not plant.p:
             raise ParameterError("an observer needs an output: give the plant C0 or C1", field="C0")
         self.plant, self.g = plant, fitted(generator, plant)

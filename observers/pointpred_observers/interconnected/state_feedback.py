@@ -14,7 +14,7 @@ from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import number_text, undetectable, vertices
 from pointpred_observers.numerics.equalities import NO_DIGIT, without_rounding
 from pointpred_observers.numerics.matrices import matrix, positive
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
 from pointpred_observers.proofs.definite import solved
@@ -67,9 +67,7 @@ def design_state_feedback(
     (1.0, True)
     """
     decay = positive("decay", decay)
-    one = as_plant(plant)
-    if one.varying:
-        raise ParameterError(f"a design needs constant matrices; {', '.join(one.varying)} vary: use plant.at")
+    one = constant(plant)
     if not one.B.any():
         raise ParameterError("a feedback needs an input: give the plant a B other than 0", field="B")
     fixed = None if L1 is None else matrix("L1", L1, one.m, one.k)

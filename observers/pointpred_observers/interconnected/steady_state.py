@@ -28,7 +28,7 @@ from pointpred_observers.numerics.equalities import (
 )
 from pointpred_observers.numerics.matrices import instance, matrix, moments, share
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 
 SHARED = "H Pi - J"
@@ -295,9 +295,7 @@ def regulator_equations(
     >>> (found.Pi.round(9) + 0.0).tolist(), found.L0.round(9).tolist()
     ([[1.0, 0.0], [0.0, 3.0]], [[-4.5, 1.5]])
     """
-    one = as_plant(plant)
-    if one.varying:
-        raise ParameterError(f"the regulator equations need constant matrices; {', '.join(one.varying)} vary")
+    one = constant(plant, "the input of a steady state")
     g = fitted(generator, one)
     require_same_nonlinearity(one, generator)
     if g.G.any():

@@ -10,7 +10,7 @@ from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.matrices import one_of, positive
 from pointpred_observers.plants.generator import Generator
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 
 METHODS = ("zoh", "euler")
@@ -47,11 +47,9 @@ def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
         driven: dict[str, Any] = dict(zip(held, parts, strict=True))
         kept = {"J": system.J, "L0": system.L0, "L1": system.L1, "f": system.f}
         return Generator(s0, **driven, **kept, time="discrete")
-    plant = as_plant(system)
+    plant = constant(system, "c2d")
     if plant.time == "discrete":
         raise ParameterError("c2d needs a continuous plant, received a discrete one", field="system")
-    if plant.varying:
-        raise ParameterError(f"c2d needs constant matrices; {', '.join(plant.varying)} vary", field="system")
     a0, (a1, b, q) = _sampled(plant.A0, [plant.A1, plant.B, plant.Q], step_s, method)
     return Persidskii(
         a0, a1, plant.H, plant.f, b, q, plant.C0, plant.C1, time="discrete", domain=plant.domain

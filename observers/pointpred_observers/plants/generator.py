@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.numerics.equalities import TOLERANCE, column_units, share_of_terms
+from pointpred_observers.numerics.equalities import TOLERANCE, column_units, share_of_terms, summed
 from pointpred_observers.numerics.matrices import TIMES, instance, matrix, one_of
 from pointpred_observers.plants.linear_systems import Plant, as_plant
 from pointpred_observers.plants.nonlinearity import NAMED, Nonlinearity, nonlinearity, same
@@ -85,13 +85,8 @@ class Generator:
             )
         own = [one.shape[1] for one in (self.S1, self.L1) if self.f is not None and one is not None]
         k = own[0] if own else plant.k
-        needed = {
-            "S1": (q, k),
-            "G": (q, plant.p),
-            "L0": (plant.m, q),
-            "L1": (plant.m, k),
-            "E": (q, plant.z),
-        }
+        m = plant.m
+        needed = {"S1": (q, k), "G": (q, plant.p), "L0": (m, q), "L1": (m, k), "E": (q, plant.z)}
         full = {name: _shaped(name, getattr(self, name), shape) for name, shape in needed.items()}
         j = None if self.J is None else matrix("J", self.J, plant.r if self.f is None else None, q)
         self._fitted = given, Fitted(q=q, S0=self.S0, J=j, **full)
@@ -121,12 +116,10 @@ def require_same_nonlinearity(
             )
     if Pi is None or generator.J is None:
         return
-    needed = plant.H @ Pi
-    j = matrix("J", generator.J, *needed.shape)
-    terms = np.abs(plant.H) @ np.abs(Pi) + np.abs(j)
-    units = column_units(np.abs(plant.A0) @ np.abs(Pi) + np.abs(Pi) @ np.abs(generator.S0))
-    if not share_of_terms(j - needed, terms, units) <= TOLERANCE:
-        raise ParameterError(f"J must be H Pi, differs by {np.abs(j - needed).max():.3g}", field="J")
+    left, terms = summed((matrix("J", generator.J, plant.r, Pi.shape[1]),), (-plant.H, Pi))
+    units = column_units(summed((plant.A0, Pi), (Pi, generator.S0))[1])
+    if not share_of_terms(left, terms, units) <= TOLERANCE:
+        raise ParameterError(f"J must be H Pi, differs by {np.abs(left).max():.3g}", field="J")
 
 
 def _text(f: Nonlinearity) -> str:

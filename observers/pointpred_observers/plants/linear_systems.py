@@ -60,6 +60,15 @@ def as_plant(system: Any) -> Persidskii:
     return Persidskii(a, None, None, "identity", B=system.B, C0=system.C, time=time)
 
 
+def constant(system: Any, what: str = "a design") -> Persidskii:
+    """The same for what needs constant matrices; raises ParameterError naming those that vary."""
+    plant = as_plant(system)
+    if plant.varying:
+        varying = ", ".join(plant.varying)
+        raise ParameterError(f"{what} needs constant matrices; {varying} vary: use plant.at", field="plant")
+    return plant
+
+
 def _realised(system: Any) -> Any:
     """A transfer function as a state-space system, by its own library."""
     try:

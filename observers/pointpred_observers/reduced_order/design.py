@@ -10,7 +10,6 @@ import numpy as np
 from pointpred.errors import (
     CertificateError,
     InfeasibleError,
-    ParameterError,
     PointpredError,
     UndecidedError,
 )
@@ -23,7 +22,7 @@ from pointpred_observers.numerics.equalities import NO_DIGIT, TOLERANCE, without
 from pointpred_observers.numerics.matrices import matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.entries import Functions, Values, finite, gap_of, matrices_of, plain
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
@@ -105,9 +104,7 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
 
         Reference: Khalin 2022, section 3.3.3, (3.33)-(3.40), Theorems 3.3.1 and 3.3.2.
         """
-        plant, decay = as_plant(plant), positive("decay", decay)
-        if plant.varying:
-            raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
+        plant, decay = constant(plant), positive("decay", decay)
         units = balanced(
             plant.A0,
             seen=plant.C0,

@@ -48,8 +48,6 @@ class Split(msgspec.Struct, frozen=True):
 
 def split(plant: Persidskii, Pi: Any) -> Split:
     """The plant with its outputs as coordinates; raises ParameterError where that is impossible."""
-    if plant.varying:
-        raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
     if plant.C1.any():
         raise ParameterError("a reduced-order design needs y = C0 x, received C1 other than 0")
     q = plant.n - plant.p
