@@ -105,7 +105,13 @@ class PersidskiiStage(CompiledStage):
             shape = [*sizes, self.step_s, gap, self._bridged, *nonlinear.codes]
             settings = np.concatenate([np.array(shape), *(one.ravel() for one in parts.flat(first))])
             states = law.floats(parts.q, parts.k, self.inputs)
-        self._check_gap()
+        if not parts.discrete and self.gap_s is not None and self.gap_s > self._bridged:
+            raise ParameterError(
+                f"gap_s must be at most {self._bridged:g} s, {law.STEPS_MOST:.0e} steps of the stage, "
+                f"received {self.gap_s!r}: give a shorter gap_s",
+                field="gap_s",
+                value=self.gap_s,
+            )
         self._state_at = len(settings)
         self.lay_out(settings, states)
 
@@ -113,16 +119,6 @@ class PersidskiiStage(CompiledStage):
         """Check the values."""
         super().declare(**values)
         one_of("time", self.time, TIMES)
-
-    def _check_gap(self) -> None:
-        """Check that a gap after which the stage does not start again can be bridged."""
-        if self.time == "continuous" and self.gap_s is not None and self.gap_s > self._bridged:
-            raise ParameterError(
-                f"gap_s must be at most {self._bridged:g} s, {law.STEPS_MOST:.0e} steps of the stage, "
-                f"received {self.gap_s!r}: give a shorter gap_s",
-                field="gap_s",
-                value=self.gap_s,
-            )
 
     def _clock(self) -> tuple[bool, float]:
         """Whether there was a sample, and its time."""

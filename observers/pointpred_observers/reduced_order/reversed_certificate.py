@@ -11,6 +11,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
+from pointpred_observers.interconnected.interconnection import symmetric
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import require_decay, vertices
 from pointpred_observers.numerics.matrices import instance, matrix, moments, positive
@@ -353,11 +354,6 @@ def _require_lipschitz(gamma: float, slopes: Slopes, connections: list[Connectio
                 field="gamma",
                 value=gamma,
             )
-
-
-def symmetric(square: FloatArray) -> FloatArray:
-    """The symmetric part."""
-    return 0.5 * (square + square.T)
 
 
 def _next(one: Connection, steepest: Any) -> Block:

@@ -10,13 +10,14 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
+from pointpred_observers.interconnected.interconnection import symmetric
 from pointpred_observers.numerics.balance import Coordinates, inward
 from pointpred_observers.numerics.equalities import NO_DIGIT, cleared, without_rounding
 from pointpred_observers.numerics.matrices import matrix
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.stationary import cover, filter_start, middle
-from pointpred_observers.reduced_order.reversed_certificate import lipschitz, symmetric
+from pointpred_observers.reduced_order.reversed_certificate import lipschitz
 
 
 class Split(msgspec.Struct, frozen=True):
