@@ -20,4 +20,4 @@ else:
         return getattr(import_module("pointpred_observers.public"), name)
 
     def __dir__() -> list[str]:
-        return sorted({*getattr(import_module("pointpred_observers.public"), "__all__"), "camera", "thesis"})
+        return sorted({*import_module("pointpred_observers.public").__all__, "camera", "thesis"})

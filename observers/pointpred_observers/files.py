@@ -21,19 +21,16 @@ from pointpred_observers.plants.documents import (
     GeneratorDocument,
     ParameterVaryingDocument,
     PlantDocument,
+    SteadyStateDocument,
+    SymbolicGeneratorDocument,
+    SymbolicPlantDocument,
 )
 from pointpred_observers.plants.entries import Document, Functions
 from pointpred_observers.plants.generator import Generator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred_observers.plants.symbolic_documents import (
-    SteadyStateDocument,
-    SymbolicGeneratorDocument,
-    SymbolicPlantDocument,
-)
 from pointpred_observers.plants.varying import CornerSystem, ParameterVaryingSystem
-from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.reduced_order.design import ReducedOrderDocument
 from pointpred_observers.reduced_order.reversed_connection import InvariantDocument
 from pointpred_observers.triangular.interlaced_observer import InterlacedDocument
@@ -82,12 +79,7 @@ def save(thing: Any, file: Path | str) -> Path:
 
 
 def encoded(thing: Any) -> bytes:
-    """The JSON text of a plant or a design, as ``save`` writes it.
-
-    >>> from pointpred_observers.plants.persidskii import Persidskii
-    >>> encoded(Persidskii([[-1.0]], None, None, "sin", C0=[1.0])).split()[:4]
-    [b'{', b'"format":', b'"pointpred', b'observers",']
-    """
+    """The JSON text of a plant or a design, as ``save`` writes it."""
     content: dict[str, Any] = msgspec.to_builtins(_document(thing))
     whole = {"format": FORMAT, "version": VERSION, **content}
     text = msgspec.json.format(msgspec.json.encode(whole), indent=2)
@@ -158,20 +150,16 @@ def audit(observer: Observer) -> dict[str, float]:
             again = observer.audited()
     except (np.linalg.LinAlgError, OverflowError) as failure:
         raise CertificateError("the design's numbers are too large or too small to compute with") from failure
-    for one, other in zip(observer.bounds.values(), again.bounds.values(), strict=True):
-        _require_bound(one, other)
+    for bounds in zip(observer.bounds.values(), again.bounds.values(), strict=True):
+        claimed, proved = ([one.overshoot, 1.0 / one.decay, one.rest, *one.gains] for one in bounds)
+        if (
+            len(claimed) != len(proved)
+            or not (np.array(claimed) >= np.array(proved) * (1.0 - TOLERANCE)).all()
+        ):
+            raise CertificateError(
+                f"the design carries the bound {bounds[0]}, its matrices prove {bounds[1]}", field="bound"
+            )
     return again.margins
-
-
-def _require_bound(claimed: ErrorBound, proved: ErrorBound) -> None:
-    """Raise CertificateError where a claimed bound is smaller than the one that is proved."""
-    sizes, least = ((one.overshoot, 1.0 / one.decay, one.rest, *one.gains) for one in (claimed, proved))
-    if len(sizes) != len(least) or not all(
-        size >= proof * (1.0 - TOLERANCE) for size, proof in zip(sizes, least, strict=True)
-    ):
-        raise CertificateError(
-            f"the design carries the bound {claimed}, its matrices prove {proved}", field="bound"
-        )
 
 
 def _document(thing: Any) -> Document:

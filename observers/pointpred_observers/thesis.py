@@ -3,17 +3,16 @@
 from pointpred_observers.interconnected.assumptions import (
     assumption_1_3_1,
     assumption_3_2_2,
-    assumption_3_2_3,
-    assumption_3_2_6,
     remark_3_2_2,
 )
 from pointpred_observers.interconnected.interconnection import theorem_3_2_1
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
 from pointpred_observers.interconnected.regulated import SectorBounds, sector_bounds
-from pointpred_observers.interconnected.regulator_equations import regulator_equations
 from pointpred_observers.interconnected.state_feedback import design_state_feedback
-from pointpred_observers.interconnected.steady_state import residuals
+from pointpred_observers.interconnected.steady_state import regulator_equations, residuals
 from pointpred_observers.interconnected.tracking import (
+    assumption_3_2_3,
+    assumption_3_2_6,
     certify_tracking,
     closed_loop,
     theorem_3_2_2,

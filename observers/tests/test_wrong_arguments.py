@@ -14,8 +14,8 @@ from observers.tests import kept_designs as kept
 from pointpred.errors import ParameterError, PointpredError
 from pointpred_observers import thesis
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.realisation import MissingInputs
 from pointpred_observers.interconnected.regulator import Regulator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.reduced_order.design import ReducedOrderObserver

@@ -1,4 +1,4 @@
-"""Assumptions 1.3.1, 3.2.2, 3.2.3 and 3.2.6 on their own, and the observer of Remark 3.2.2."""
+"""Assumptions 1.3.1 and 3.2.2, and the observer of Remark 3.2.2."""
 
 from __future__ import annotations
 
@@ -10,21 +10,16 @@ import numpy as np
 from pointpred.errors import InfeasibleError, ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
-from pointpred_observers.interconnected.regulated import SectorBounds
-from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3_2_3
 from pointpred_observers.numerics.eigenvalues import hidden, number_text, require_decay, unsettled
 from pointpred_observers.numerics.equalities import without_rounding
 from pointpred_observers.numerics.matrices import matrix
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.nonlinearity import NAMED
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
-from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
-from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.error_system import sloped_system
 
-CONDITIONS_3_2_3 = ("R1", "R2", "R3", "R4", "R1 + H'(R2 + R3) H")
-"""The conditions of Theorem 3.2.3 beside its assumption."""
 NEAR = 1e-6
 """Distance from 0 at which the derivative of f there is taken."""
 
@@ -62,12 +57,8 @@ def assumption_1_3_1(plant: Plant, generator: Generator) -> Moments:
     pointpred.errors.InfeasibleError: Assumption 1.3.1: the generator is not neutrally stable, a motion of \
 the eigenvalue -0.5 decays
     """
-    one = as_plant(plant)
+    one = constant(plant, "Assumption 1.3.1")
     g = fitted(generator, one)
-    if one.varying:
-        raise ParameterError(
-            f"Assumption 1.3.1 is checked for constant matrices; {', '.join(one.varying)} vary"
-        )
     if g.G.any():
         raise ParameterError("the generator of Assumption 1.3.1 has no G: its input is not y", field="G")
     f = one.f if generator.f is None else generator.f
@@ -113,11 +104,9 @@ def joined(plant: Plant, generator: Generator) -> Persidskii:
 
     Raises ParameterError for a generator whose f is another one, or without J where it has an f.
     """
-    one = as_plant(plant)
+    one = constant(plant, "a joint plant")
     g = fitted(generator, one)
     require_same_nonlinearity(one, generator)
-    if one.varying:
-        raise ParameterError(f"a plant is joined with constant matrices; {', '.join(one.varying)} vary")
     (n, p), q, count = (one.n, one.p), g.q, 1
     a1, h = np.vstack([one.A1, g.G @ one.C1]), np.hstack([one.H, np.zeros((one.r, q))])
     if g.S1.any() or g.L1.any():
@@ -170,33 +159,6 @@ def remark_3_2_2(
     return FullOrderObserver.design(joint, gain=gain, decay=decay)
 
 
-def incremental_system(plant: Plant, generator: Generator | None = None, Pi: Any = None) -> ErrorSystem:
-    """The system of x - Pi w, or of the difference of two solutions where no output is fed back.
-
-    z' = (A0 - Pi G C0) z + (A1 - Pi G C1) (f(Jw + Hz) - f(Jw)) + d - Pi w + Pi G v, (3.14) for Pi = I;
-    without G it does not depend on the generator.
-
-    Raises ParameterError where matrices vary, and where a generator with a G comes without Pi.
-    """
-    one = as_plant(plant)
-    if one.varying:
-        raise ParameterError(
-            f"Assumption 3.2.2 is checked for constant matrices; {', '.join(one.varying)} vary"
-        )
-    disturbances = {"d": np.eye(one.n)}
-    a0, a1 = one.A0, one.A1
-    if generator is not None:
-        g = fitted(generator, one)
-        if Pi is None and g.G.any():
-            raise ParameterError("a generator with a G needs Pi: take it from steady_state_map", field="Pi")
-        if Pi is not None:
-            pi = matrix("Pi", Pi, one.n, g.q)
-            a0 = a0 - pi @ g.G @ one.C0
-            a1 = without_rounding(a1 - pi @ g.G @ one.C1, a1, pi @ g.G @ one.C1)
-            disturbances |= {"w": -pi, "v": pi @ g.G}
-    return sloped_system(a0, a1, one.H, disturbances, slopes=one.slopes, time=one.time, domain=one.domain)
-
-
 def assumption_3_2_2(
     plant: Plant,
     generator: Generator | None = None,
@@ -207,7 +169,11 @@ def assumption_3_2_2(
     """A certificate of incremental input-to-state stability, by a quadratic function of the difference.
 
     Sufficient for Assumption 3.2.2, as far as its consequence, Proposition 3.2.2, uses it: x approaches Pi w
-    up to the disturbances d of the plant, w of the generator and v of the output. Global if the slopes of f
+    up to the disturbances d of the plant, w of the generator and v of the output, by
+
+    z' = (A0 - Pi G C0) z + (A1 - Pi G C1) (f(Jw + Hz) - f(Jw)) + d - Pi w + Pi G v, (3.14) for Pi = I.
+
+    Global if the slopes of f
     hold globally. The states of two generators need not approach each other, those of an oscillator never do.
     A refusal is not a proof of the contrary.
 
@@ -229,43 +195,19 @@ def assumption_3_2_2(
     pointpred.errors.InfeasibleError: Assumption 3.2.2: the error system has the eigenvalue 0+1j, must lie \
 left of 0
     """
-    system = incremental_system(plant, generator, Pi)
+    one = constant(plant, "Assumption 3.2.2")
+    disturbances, a0, a1 = {"d": np.eye(one.n)}, one.A0, one.A1
+    if generator is not None:
+        g = fitted(generator, one)
+        if Pi is None and g.G.any():
+            raise ParameterError("a generator with a G needs Pi: take it from steady_state_map", field="Pi")
+        if Pi is not None:
+            pi = matrix("Pi", Pi, one.n, g.q)
+            a0 = a0 - pi @ g.G @ one.C0
+            a1 = without_rounding(a1 - pi @ g.G @ one.C1, a1, pi @ g.G @ one.C1)
+            disturbances |= {"w": -pi, "v": pi @ g.G}
+    system = sloped_system(a0, a1, one.H, disturbances, slopes=one.slopes, time=one.time, domain=one.domain)
     try:
         return certify_decay(system, decay=decay)
     except ArithmeticError as failure:
         raise type(failure)(f"Assumption 3.2.2: {failure}") from failure
-
-
-def assumption_3_2_3(plant: Plant, regulator: Generator, Pi: Any) -> MatrixInequalities:
-    """The inequalities of Assumption 3.2.3: ``solve`` finds matrices, ``check`` audits printed ones.
-
-    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Omega, Lambda >= 0; S = S0 + G C0 Pi, S~ = S1 + G C1.
-
-    Assumes r = k, as the thesis does, and strict inequalities in ``solve``: with J S~ = 0 the block of f(Jw)
-    is zero and none can hold.
-
-    >>> from pointpred_observers import Persidskii
-    >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
-    >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
-    >>> printed = {"P": 2.0, "Gamma": 99.0, "Xi": 1.0, "Omega": 4.0, "Lambda": 1.0}
-    >>> sorted(assumption_3_2_3(plant, regulator, [[1.0]]).check(printed))
-    ['Gamma > 0', 'Lambda >= 0', 'Omega >= 0', 'P > 0', 'Phi', 'Xi']
-    """
-    return _without(theorem_3_2_2(plant, regulator, Pi), "Xi + J' Omega J")
-
-
-def assumption_3_2_6(
-    plant: Plant, regulator: Generator, Pi: Any, sector: SectorBounds | None = None
-) -> MatrixInequalities:
-    """The inequalities of Assumption 3.2.6: ``solve`` finds matrices, ``check`` audits printed ones.
-
-    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Lambda, Omega1, Omega2, Upsilon >= 0, gamma1, gamma2 > 0; A~0 =
-    A0 - Pi G C0, A~1 = A1 - Pi G C1.
-    """
-    return _without(theorem_3_2_3(plant, regulator, Pi, sector), *CONDITIONS_3_2_3)
-
-
-def _without(problem: MatrixInequalities, *names: str) -> MatrixInequalities:
-    for name in names:
-        problem.blocks.pop(name, None)
-    return problem

@@ -11,22 +11,22 @@ from pointpred.errors import CertificateError, InfeasibleError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.interconnected.interconnection import Interconnection, theorem_3_2_1
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.realisation import MissingInputs
 from pointpred_observers.interconnected.simulation import (
     UNUSED,
+    alone,
     like,
-    open_loop,
     outputs_of,
     same,
     unlike,
     walked,
 )
-from pointpred_observers.interconnected.steady_state import relative_residuals, steady_state_map
+from pointpred_observers.interconnected.steady_state import equalities, shares_left, steady_state_map
 from pointpred_observers.interconnected.tracking import closed_loop
 from pointpred_observers.numerics.balance import Coordinates, inward
 from pointpred_observers.numerics.eigenvalues import require_detectable
-from pointpred_observers.numerics.equalities import TOLERANCE, without_rounding
+from pointpred_observers.numerics.equalities import TOLERANCE, largest, without_rounding
 from pointpred_observers.numerics.matrices import dimensions, instance, matrix, positive, vector
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import GeneratorDocument, PlantDocument
@@ -97,8 +97,8 @@ class DrivenObserver(Observer, msgspec.Struct, frozen=True):
 
         Returns the level c of the ellipsoid e'Pe <= c that keeps every argument within the plant's domain,
         and the radius of the largest ball of initial errors in it; both infinite if the domain is.
-        Raises CertificateError if the trajectory itself leaves the domain, ParameterError for a ``reach``
-        that is no bound.
+        Raises CertificateError if the trajectory leaves the domain, ParameterError for a ``reach`` that is
+        no bound.
         """
         j = self.plant.H @ self.Pi
         reaches = vector("reach", np.full(len(j), reach) if is_number(reach) else reach, len(j))
@@ -108,9 +108,14 @@ class DrivenObserver(Observer, msgspec.Struct, frozen=True):
     def design(
         cls, plant: Plant, *, generator: Generator, Pi: Any = None, gain: Any = None, decay: float = 1.0
     ) -> DrivenObserver:
-        """The gain M of observer (3.5) for the generator's state, with its certificate; see ``driven``.
+        """The observer z' = S0 z + S1 f(Jz) + G Y + E rho + M (Y - C0 Pi z - C1 f(Jz)), with its certificate.
 
-        Parameters: ``Pi`` (n, q) with x = Pi w, by default that of ``steady_state_map``.
+        Assumes that x = Pi w attracts the plant (Assumption 3.2.2), which needs a certificate of its own.
+
+        Parameters: ``Pi`` (n, q) with x = Pi w, by default that of ``steady_state_map``; ``gain`` M (q, p)
+        to certify instead of computing one; ``decay`` in 1/s (1/step), demanded of the error.
+        Raises InfeasibleError naming the undetectable eigenvalue before any solver runs; what the solver
+        raises; ParameterError where slopes are not bounded.
         """
         generator = instance("generator", generator, Generator)
         return driven(
@@ -227,15 +232,12 @@ class FullOrderObserver(DrivenObserver, frozen=True):
         known, one = self.plant, as_plant(plant)
         if (one.n, one.m + one.z, one.p, one.time) != (known.n, known.z, known.p, known.time):
             raise unlike(one, known)
-        times = setting.samples(one.time == "discrete")
-        state, inputs, outputs = open_loop(one, setting, times)
-        first = setting.begin(one.n, "estimate", 0.0)
-        answers = walked(self.stage(start=first), times, outputs, inputs)
-        bound = np.zeros(0)
+        bound = None
         if setting.silent and np.isinf(known.domain) and same(one, known):
-            error = float(np.linalg.norm(first - state[0]))
-            bound = np.array([self.bound(float(t - times[0]), error) for t in times])
-        return Simulation.of(one, times, state, answers, outputs, inputs, "full-order observer", bound=bound)
+            times = setting.samples(one.time == "discrete")
+            error = setting.begin(one.n, "estimate", 0.0) - setting.begin(one.n)
+            bound = np.array([self.bound(float(t - times[0]), float(np.linalg.norm(error))) for t in times])
+        return alone(one, self, setting, "full-order observer", bound)
 
 
 class DrivenDocument(Document, tag="observer", frozen=True):
@@ -265,29 +267,10 @@ def driven(
     gain: Any = None,
     decay: float = 0.0,
 ) -> DrivenObserver:
-    """The gain M of observer (3.5) for the generator's state, with its certificate.
+    """The gain M of observer (3.5) for the generator's state, with its certificate; see ``DrivenObserver``.
 
-    Assumes that x = Pi w attracts the plant (Assumption 3.2.2), which needs a certificate of its own.
     Minimises a common bound of Gamma and Xi with Theta = I + c P, c = 2 ``decay``, in balanced units; the
-    size of the gain is not minimised.
-
-    z' = S0 z + S1 f(Jz) + G Y + E rho + M (Y - C0 Pi z - C1 f(Jz)) with z the estimate of w, M = P^-1 U.
-
-    Parameters: ``gain`` M (q, p) to certify instead of computing one; ``decay`` in 1/s (1/step), demanded of
-    the error.
-    Raises InfeasibleError naming the undetectable eigenvalue before any solver runs; InfeasibleError,
-    UndecidedError or CertificateError from the solver; ParameterError where slopes are not bounded.
-
-    Reference: Khalin 2022, Theorem 3.2.1, (3.5)-(3.7).
-
-    >>> plant = Persidskii([[-1.0]], None, None, "sin", B=[1.0], C0=[1.0])
-    >>> generator = Generator([[0.0]], L0=[1.0])
-    >>> design = driven(plant, generator, [[1.0]], decay=2.0)
-    >>> bool(design.gain[0, 0] > 2.0), min(design.margins.values()) > 0.0
-    (True, True)
-    >>> driven(plant, generator, [[0.0]])
-    Traceback (most recent call last):
-    pointpred.errors.InfeasibleError: (S0, C0 Pi) is not detectable: the mode of the eigenvalue 0 never shows
+    size of the gain is not minimised. ``gain`` M (q, p) to certify instead of computing one.
     """
     decay = positive("decay", decay, zero=True)
     connection = Interconnection(plant, generator, Pi)
@@ -359,11 +342,9 @@ def certified_design(
     values: dict[str, Any],
     gap: float = np.inf,
 ) -> DrivenObserver:
-    """The design of a gain M and of matrices from any source, audited in the theorem as stated.
+    """The design of a gain M and of P, Theta, Gamma, Xi, and W where f matters, audited as stated; U = P M.
 
-    Parameters: ``values`` P, Theta, Gamma, Xi, and W where f matters; U = P M is computed. Raises
-    InfeasibleError for an equality of the map that does not hold, CertificateError naming the inequality that
-    fails.
+    Raises InfeasibleError for an equality of the map, CertificateError for an inequality that fails.
     """
     connection = Interconnection(plant, generator, Pi)
     plant, g = connection.plant, connection.g
@@ -387,21 +368,16 @@ def certified_design(
 
 
 def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None:
-    """Raise InfeasibleError naming an equality of (3.3), or of Corollary 3.2.1, and its residual.
-
-    Each entry must hold to ``TOLERANCE`` of its own terms: a large entry elsewhere, such as a B for inputs in
-    small units, says nothing about it.
-    """
+    """Raise InfeasibleError naming an equality of (3.3), or of Corollary 3.2.1, and its residual."""
     for relaxed in (True, False):
-        left = relative_residuals(plant, generator, Pi, relaxed=relaxed)
-        failed = {name: (worst, part) for name, (worst, part) in left.items() if not part <= TOLERANCE}
+        found = equalities(plant, generator, Pi, relaxed=relaxed)
+        failed = {name: part for name, part in shares_left(found).items() if not part <= TOLERANCE}
         if not failed:
             return
-    name = max(failed, key=lambda one: failed[one][1])
-    worst, part = failed[name]
+    name = max(failed, key=lambda one: failed[one])
     raise InfeasibleError(
-        f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}, {part:.1g} of its terms: "
-        "take Pi from steady_state_map, with all digits"
+        f"Assumption 3.2.1: {name} = 0 fails, its residual is {largest(found)[name]:.6g}, "
+        f"{failed[name]:.1g} of its terms: take Pi from steady_state_map, with all digits"
     )
 
 

@@ -16,24 +16,18 @@ from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import vertices
 from pointpred_observers.numerics.matrices import matrix
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 
 
 class Interconnection:
     """The blocks of Theorem 3.2.1 as functions of P, U, Theta, ...
 
-    ``j`` is J = H Pi and ``output`` C0 Pi; ``corners`` are those of the slopes, none if the blocks do not
-    depend on f, and then no ``slopes`` either.
-    Raises ParameterError where the generator's own J is not H Pi or its own f not the plant's, or where the
-    slopes are not bounded.
+    ``j`` is J = H Pi, ``output`` C0 Pi; ``corners`` of the slopes, none if the blocks do not depend on f.
     """
 
     def __init__(self, plant: Plant, generator: Generator, Pi: Any) -> None:
-        plant = as_plant(plant)
-        if plant.varying:
-            reason = f"{', '.join(plant.varying)} vary: use plant.at"
-            raise ParameterError(f"a design needs constant matrices, {reason}")
+        plant = constant(plant)
         if not plant.p:
             raise ParameterError("an observer needs an output: give the plant C0 or C1", field="C0")
         self.plant, self.g = plant, fitted(generator, plant)

@@ -12,16 +12,12 @@ from pointpred.parameter import option, parameter
 from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import CompiledStage
 from pointpred_observers.interconnected import persidskii_law as law
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
-from pointpred_observers.interconnected.plain_law import PlainLaw
-from pointpred_observers.interconnected.realisation import Realisation
-from pointpred_observers.numerics.matrices import TIMES, instance, matrix, one_of
+from pointpred_observers.interconnected.realisation import LONGEST_S, MissingInputs, PlainLaw, Realisation
+from pointpred_observers.numerics.matrices import TIMES, matrix, one_of
 from pointpred_observers.plants.generator import Generator, fitted
 from pointpred_observers.plants.linear_systems import Plant, as_plant
 from pointpred_observers.plants.nonlinearity import nonlinearity
 
-LONGEST_S = 1e-2
-"""The longest step by default, s."""
 NEVER = 1e300
 """A time that no interval reaches, s."""
 
@@ -90,41 +86,32 @@ class PersidskiiStage(CompiledStage):
     ) -> None:
         self.declare(**values)
         named = not callable(f) or getattr(f, "codes", None) is not None
-        parts = Realisation(named, N=N, L=L, J=J, K=K, R0=R0, R1=R1, R=R, R2=R2)
+        parts = Realisation(named, missing, self.time, N=N, L=L, J=J, K=K, R0=R0, R1=R1, R=R, R2=R2)
         nonlinear = nonlinearity(f, parts.k)
-        q, k, inputs, self.width = parts.q, parts.k, parts.inputs, parts.outputs
-        self.inputs = inputs
-        first = np.zeros(q) if start is None else matrix("start", start, 1, q)[0]
-        if missing is None:
-            missing = MissingInputs.held(inputs, q, k, self.time)
-        missing = instance("missing", missing, MissingInputs).checked(q, k, parts.at("R", 0.0))
-        own_step = self.step_s
-        speed = parts.fastest(0.0, nonlinear.slopes, missing.value, missing.at(0.0))
-        step_s = own_step or min(LONGEST_S, 1.0 / max(speed, 1e-300))
-        self.step_s = step_s
-        limited = nonlinear.slopes is not None and np.isfinite(nonlinear.slopes).all()
-        self._bridged = law.STEPS_MOST * (1.0 / max(speed, 1e-290) if limited and not own_step else step_s)
-        discrete = self.time == "discrete"
+        self.inputs, self.width = parts.inputs, parts.outputs
+        first = np.zeros(parts.q) if start is None else matrix("start", start, 1, parts.q)[0]
         self._plain: PlainLaw | None = None
-        if nonlinear.codes is None or parts.varies or missing.varies:
-            self._plain = PlainLaw(
-                parts,
-                nonlinear,
-                missing,
-                first,
-                discrete=discrete,
-                step_s=own_step,
-                longest_s=LONGEST_S,
-                gap_s=self.gap_s,
-            )
+        own_step, speed = self.step_s, parts.fastest(0.0, nonlinear.slopes)
+        self.step_s = own_step or min(LONGEST_S, 1.0 / max(speed, 1e-300))
+        if nonlinear.codes is None or parts.varies:
+            self._plain = PlainLaw(parts, nonlinear, first, own_step, self.gap_s)
             settings, states = np.zeros(0), self._plain.states
             self._bridged = self._plain.bridged(0.0)
         else:
+            limited = np.isfinite(nonlinear.slopes or ()).all() and not own_step
+            self._bridged = law.STEPS_MOST * (1.0 / max(speed, 1e-290) if limited else self.step_s)
             gap = NEVER if self.gap_s is None else self.gap_s
-            shape = [q, k, inputs, self.width, float(discrete), step_s, gap, self._bridged, *nonlinear.codes]
-            flat = [np.array(shape, np.float64), *parts.flat(), first, *missing.flat()]
-            settings, states = np.concatenate([one.ravel() for one in flat]), law.floats(q, k, inputs)
-        self._check_gap()
+            sizes = [parts.q, parts.k, self.inputs, self.width, float(parts.discrete)]
+            shape = [*sizes, self.step_s, gap, self._bridged, *nonlinear.codes]
+            settings = np.concatenate([np.array(shape), *(one.ravel() for one in parts.flat(first))])
+            states = law.floats(parts.q, parts.k, self.inputs)
+        if not parts.discrete and self.gap_s is not None and self.gap_s > self._bridged:
+            raise ParameterError(
+                f"gap_s must be at most {self._bridged:g} s, {law.STEPS_MOST:.0e} steps of the stage, "
+                f"received {self.gap_s!r}: give a shorter gap_s",
+                field="gap_s",
+                value=self.gap_s,
+            )
         self._state_at = len(settings)
         self.lay_out(settings, states)
 
@@ -132,16 +119,6 @@ class PersidskiiStage(CompiledStage):
         """Check the values."""
         super().declare(**values)
         one_of("time", self.time, TIMES)
-
-    def _check_gap(self) -> None:
-        """Check that a gap after which the stage does not start again can be bridged."""
-        if self.time == "continuous" and self.gap_s is not None and self.gap_s > self._bridged:
-            raise ParameterError(
-                f"gap_s must be at most {self._bridged:g} s, {law.STEPS_MOST:.0e} steps of the stage, "
-                f"received {self.gap_s!r}: give a shorter gap_s",
-                field="gap_s",
-                value=self.gap_s,
-            )
 
     def _clock(self) -> tuple[bool, float]:
         """Whether there was a sample, and its time."""

@@ -6,7 +6,7 @@ A motion that grows although f is a matrix of slopes excludes every choice of an
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Self
 
 import msgspec
 import numpy as np
@@ -63,20 +63,12 @@ def growing_mode(
 ) -> GrowingMode | None:
     """A growing motion of x' = a x + b f, f = D h x, with D of the ``candidates`` for each component.
 
-    ``admitted`` says which motions exclude the matrices of the theorem. The slopes are searched component by
-    component for the largest growth beside the size of a + b D h, real ones first: with them the plant itself
-    is unstable. That no motion is found proves nothing.
-
-    Shapes: ``a`` (n, n), ``b`` (n, k), ``h`` (k, n).
-
-    >>> a, b, h = np.array([[-1.0]]), np.array([[2.0]]), np.array([[1.0]])
-    >>> growing_mode(a, b, h, [disc(0.4)], lambda mode: True) is None
-    True
-    >>> growing_mode(a, b, h, [disc(1.0)], lambda mode: True).text("a + b D h", 1.0)
-    'a + b D h has the eigenvalue 0.199999 at D = diag(0.599999)'
+    ``admitted`` says which motions exclude the matrices of the theorem. The slopes are searched component
+    by component for the largest growth beside the size of a + b D h, real ones first. That none is found
+    proves nothing.
     """
-    for i in range(2):
-        mode = _search(a, b, h, [one[i] for one in candidates], admitted)
+    for each in ([one[i] for one in candidates] for i in range(2)):
+        mode = _search(a, b, h, each, admitted)
         if mode is not None:
             return mode
     return None
@@ -111,8 +103,7 @@ def _search(
             tried = np.tile(slopes, (len(candidates[i]) if k else 1, 1))
             if k:
                 tried[:, i] = candidates[i]
-            fastest, mode = _fastest(a, b, h, tried, admitted)
-            slopes = fastest
+            slopes, mode = _fastest(a, b, h, tried, admitted)
             if mode is not None and (best is None or mode.share > best.share):
                 best = mode
     return best
@@ -189,16 +180,11 @@ def sector_bounds(plant: Plant, **values: Any) -> SectorBounds:
         )
     least: FloatArray = plant.H.T @ np.diag(slopes[:, 1] ** 2) @ plant.H
     n, k = plant.n, plant.k
-    shapes = {"Sigma1": n, "Psi1": n, "Sigma2": k, "Sigma3": k, "Sigma4": k, "Psi2": k}
+    shapes = {name: n if name in ("Sigma1", "Psi1") else k for name in SectorBounds.__struct_fields__}
     if set(values) - set(shapes):
         raise ParameterError(f"the constants are {', '.join(shapes)}, received {', '.join(values)}")
-    default = {"Sigma1": least, "Psi1": least}
-    constants = {
-        name: matrix(name, values[name], size, size)
-        if name in values
-        else default.get(name, np.zeros((k, k)))
-        for name, size in shapes.items()
-    }
+    constants = {name: least if name in ("Sigma1", "Psi1") else np.zeros((k, k)) for name in shapes}
+    constants |= {name: matrix(name, one, shapes[name], shapes[name]) for name, one in values.items()}
     for name in ("Sigma1", "Psi1"):
         below = float(np.linalg.eigvalsh(constants[name] - least).min())
         if below < -1e-9 * max(1.0, float(np.abs(least).max(initial=0.0))):
@@ -207,15 +193,44 @@ def sector_bounds(plant: Plant, **values: Any) -> SectorBounds:
     return SectorBounds(**constants)
 
 
-class Regulated(msgspec.Struct, frozen=True):
-    """The regulator with the plant on its steady state: w' = ``s`` w + ``tilde`` f(``j`` w) + disturbances.
+class Loop(msgspec.Struct, frozen=True):
+    """x' = ``a`` x + ``b`` f(``h`` x) + disturbances, of which an assumption speaks."""
 
-    s = S0 + G C0 Pi, tilde = S1 + G C1, j = H Pi.
-    """
+    a: FloatArray
+    b: FloatArray
+    h: FloatArray
 
-    s: FloatArray
-    tilde: FloatArray
-    j: FloatArray
+    def units(self) -> Coordinates:
+        """The units in which it is balanced; f keeps its own, and so do its arguments."""
+        return balanced(self.a, driven=self.b, inner=self.h, plain=True)
+
+    def inward(self, units: Coordinates) -> Self:
+        """The same matrices in these units."""
+        x, f, t = units.states, units.values, units.seconds
+        return msgspec.structs.replace(
+            self,
+            a=inward(self.a, x, x, t),
+            b=inward(self.b, x, f, t),
+            h=inward(self.h, units.arguments, x),
+        )
+
+    def measured(self, units: Coordinates) -> Units:
+        """The units of the matrices."""
+        form, t = np.outer(units.states, units.states), units.seconds
+        rates = dict.fromkeys(("gamma1", "gamma2", "Omega", "Omega1", "Omega2", "Upsilon"), t)
+        return {"P": form, "Gamma": form / t, "Xi": t * form, "Lambda": 1.0, **rates}
+
+    def inequalities(self) -> MatrixInequalities:
+        """Those of the assumption, with the conditions of its theorem."""
+        raise NotImplementedError
+
+    def growing(self) -> tuple[str, GrowingMode | None]:
+        """A motion that excludes every choice, if one is found, and the matrix that has it."""
+        raise NotImplementedError
+
+
+class Regulated(Loop, frozen=True):
+    """The regulator with the plant on its steady state: a = S0 + G C0 Pi, b = S1 + G C1, h = J = H Pi."""
 
     @classmethod
     def of(cls, plant: Persidskii, g: Fitted, pi: FloatArray) -> Regulated:
@@ -224,11 +239,10 @@ class Regulated(msgspec.Struct, frozen=True):
 
     def inequalities(self) -> MatrixInequalities:
         """Assumption 3.2.3 with the condition of Theorem 3.2.2."""
-        s, tilde, j = self.s, self.tilde, self.j
+        s, tilde, j = self.a, self.b, self.h
         q, k = tilde.shape
         problem = MatrixInequalities("Assumption 3.2.3").positive("P", q).symmetric("Gamma", q)
-        problem.symmetric("Xi", q)
-        problem.diagonal("Omega", k).diagonal("Lambda", k)
+        problem.symmetric("Xi", q).diagonal("Omega", k).diagonal("Lambda", k)
 
         def block(v: Any) -> FloatArray:
             upper = s.T @ v.P + v.P @ s + v.Xi
@@ -257,40 +271,21 @@ class Regulated(msgspec.Struct, frozen=True):
 
         def admitted(mode: GrowingMode) -> bool:
             x, f = mode.state, mode.value
-            speed = self.s @ x + self.tilde @ f
-            error = np.abs(self.j) @ rounding((self.s, x), (self.tilde, f)) + rounding((self.j, speed))
-            return _agree(f, self.j @ speed, error) and _agree(f, self.j @ x, rounding((self.j, x)))
+            speed = self.a @ x + self.b @ f
+            error = np.abs(self.h) @ rounding((self.a, x), (self.b, f)) + rounding((self.h, speed))
+            return _agree(f, self.h @ speed, error) and _agree(f, self.h @ x, rounding((self.h, x)))
 
-        effect = _size(self.tilde) * _size(self.j)
-        slopes = [quadrant(_size(self.s) / effect if effect > 0.0 else 1.0)] * len(self.j)
-        return "S + S~ D J", growing_mode(self.s, self.tilde, self.j, slopes, admitted)
-
-    def units(self) -> Coordinates:
-        """The units in which the regulator is balanced; f and its arguments keep theirs."""
-        return balanced(self.s, driven=self.tilde, inner=self.j, plain=True)
-
-    def inward(self, units: Coordinates) -> Regulated:
-        """The same matrices in these units."""
-        x, f, t = units.states, units.values, units.seconds
-        return Regulated(
-            inward(self.s, x, x, t), inward(self.tilde, x, f, t), inward(self.j, units.arguments, x)
-        )
-
-    def measured(self, units: Coordinates) -> Units:
-        """The units of the matrices."""
-        form, t = np.outer(units.states, units.states), units.seconds
-        return {"P": form, "Gamma": form / t, "Xi": t * form, "Omega": t, "Lambda": 1.0}
+        effect = float(np.linalg.norm(self.b) * np.linalg.norm(self.h))
+        slopes = [quadrant(float(np.linalg.norm(self.a)) / effect if effect > 0.0 else 1.0)] * len(self.h)
+        return "S + S~ D J", growing_mode(self.a, self.b, self.h, slopes, admitted)
 
 
-class Followed(msgspec.Struct, frozen=True):
-    """The tracking error z = x - Pi w: z' = ``a0`` z + ``a1`` (f(Jw + ``h`` z) - f(Jw)) + disturbances.
+class Followed(Loop, frozen=True):
+    """The tracking error x - Pi w, whose f is f(Jw + h z) - f(Jw): a = A0 - Pi G C0, b = A1 - Pi G C1.
 
-    a0 = A0 - Pi G C0, a1 = A1 - Pi G C1; ``sector`` holds the constants of Assumption 3.2.4.
+    ``sector`` holds the constants of Assumption 3.2.4.
     """
 
-    a0: FloatArray
-    a1: FloatArray
-    h: FloatArray
     sector: SectorBounds
 
     @classmethod
@@ -300,7 +295,7 @@ class Followed(msgspec.Struct, frozen=True):
 
     def inequalities(self) -> MatrixInequalities:
         """Assumption 3.2.6 with the conditions of Theorem 3.2.3."""
-        a0, a1, h, bound = self.a0, self.a1, self.h, self.sector
+        a0, a1, h, bound = self.a, self.b, self.h, self.sector
         n, k = a1.shape
         problem = MatrixInequalities("Assumption 3.2.6").positive("P", n).symmetric("Gamma", n)
         problem.symmetric("Xi", n).number("gamma1").number("gamma2")
@@ -321,22 +316,17 @@ class Followed(msgspec.Struct, frozen=True):
                 ]
             )
 
-        def r1(v: Any) -> FloatArray:
-            block: FloatArray = v.Xi - v.gamma1 * bound.Sigma1 - v.gamma2 * bound.Psi1
-            return block
-
-        def r2(v: Any) -> FloatArray:
-            block: FloatArray = v.Omega1 - v.gamma1 * bound.Sigma2 - v.gamma2 * bound.Psi2
-            return block
-
-        def r3(v: Any) -> FloatArray:
-            block: FloatArray = v.Omega2 - v.gamma1 * bound.Sigma3
-            return block
-
+        conditions: dict[str, Callable[[Any], FloatArray]] = {
+            "Xi": lambda v: v.Xi,
+            "R1": lambda v: v.Xi - v.gamma1 * bound.Sigma1 - v.gamma2 * bound.Psi1,
+            "R2": lambda v: v.Omega1 - v.gamma1 * bound.Sigma2 - v.gamma2 * bound.Psi2,
+            "R3": lambda v: v.Omega2 - v.gamma1 * bound.Sigma3,
+            "R4": lambda v: v.Upsilon - v.gamma1 * bound.Sigma4,
+        }
         problem.below("Phi", block, strict=False).above("Gamma > 0", lambda v: v.Gamma)
-        for name, left in (("Xi", lambda v: v.Xi), ("R1", r1), ("R2", r2), ("R3", r3)):
+        for name, left in conditions.items():
             problem.above(name, left, strict=False)
-        problem.above("R4", lambda v: v.Upsilon - v.gamma1 * bound.Sigma4, strict=False)
+        r1, r2, r3 = (conditions[name] for name in ("R1", "R2", "R3"))
         return problem.above("R1 + H'(R2 + R3) H", lambda v: r1(v) + h.T @ (r2(v) + r3(v)) @ h)
 
     def growing(self) -> tuple[str, GrowingMode | None]:
@@ -354,32 +344,14 @@ class Followed(msgspec.Struct, frozen=True):
             return first >= 0.0 and second >= 0.0 and _agree(f, argument, rounding((self.h, x)))
 
         slopes = [disc(_steepest(bound.Psi1, row)) for row in self.h]
-        return "A~0 + A~1 D H", growing_mode(self.a0, self.a1, self.h, slopes, admitted)
+        return "A~0 + A~1 D H", growing_mode(self.a, self.b, self.h, slopes, admitted)
 
-    def units(self) -> Coordinates:
-        """The units in which the error is balanced; f keeps its own: gamma1 weighs its components alike."""
-        return balanced(self.a0, driven=self.a1, inner=self.h, plain=True)
-
-    def inward(self, units: Coordinates) -> Followed:
-        """The same matrices in these units."""
-        x, f, t = units.states, units.values, units.seconds
-        sector = msgspec.structs.replace(
-            self.sector,
-            Sigma1=self.sector.Sigma1 * x * x[:, None],
-            Psi1=self.sector.Psi1 * x * x[:, None],
-        )
-        return Followed(
-            inward(self.a0, x, x, t),
-            inward(self.a1, x, f, t),
-            inward(self.h, units.arguments, x),
-            sector,
-        )
-
-    def measured(self, units: Coordinates) -> Units:
-        """The units of the matrices."""
-        form, t = np.outer(units.states, units.states), units.seconds
-        rates = dict.fromkeys(("gamma1", "gamma2", "Omega1", "Omega2", "Upsilon"), t)
-        return {"P": form, "Gamma": form / t, "Xi": t * form, "Lambda": 1.0, **rates}
+    def inward(self, units: Coordinates) -> Self:
+        """The same matrices in these units; gamma1 weighs the components of f alike."""
+        x = units.states
+        forms = {name: getattr(self.sector, name) * x * x[:, None] for name in ("Sigma1", "Psi1")}
+        sector = msgspec.structs.replace(self.sector, **forms)
+        return msgspec.structs.replace(super().inward(units), sector=sector)
 
 
 def _agree(f: ComplexArray, other: ComplexArray, error: FloatArray) -> bool:
@@ -392,7 +364,3 @@ def _steepest(psi: FloatArray, row: FloatArray) -> float:
     onto = np.linalg.pinv(psi) @ row
     within = np.allclose(psi @ onto, row, rtol=0.0, atol=1e-9 * float(np.abs(row).max(initial=0.0)))
     return 1.0 / float(np.sqrt(row @ onto)) if within and row @ onto > 0.0 else 0.0
-
-
-def _size(matrix: FloatArray) -> float:
-    return float(np.linalg.norm(matrix))

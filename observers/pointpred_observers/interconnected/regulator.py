@@ -16,18 +16,18 @@ from pointpred_observers.interconnected.design import (
     require_map,
 )
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
-from pointpred_observers.interconnected.regulator_equations import (
-    RegulatorEquations,
-    checked_equations,
-    regulator_equations,
-)
 from pointpred_observers.interconnected.simulation import closed, like
 from pointpred_observers.interconnected.state_feedback import (
     StateFeedback,
     closed_system,
     design_state_feedback,
 )
-from pointpred_observers.numerics.equalities import TOLERANCE, share_of_terms
+from pointpred_observers.interconnected.steady_state import (
+    RegulatorEquations,
+    checked_equations,
+    regulator_equations,
+)
+from pointpred_observers.numerics.equalities import TOLERANCE, share_of_terms, summed
 from pointpred_observers.numerics.matrices import matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import GeneratorDocument, PlantDocument
@@ -37,6 +37,7 @@ from pointpred_observers.plants.entries import (
     Rows,
     Values,
     entries,
+    fields_of,
     matrices_of,
     plain,
 )
@@ -144,7 +145,7 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
         observer = driven(one, copied, np.eye(one.n), decay=faster)
         if reference is None:
             feedback = design_state_feedback(one, decay=decay, L1=L1)
-            return cls(one, _regulator(one, observer.gain, feedback), np.eye(one.n), observer, feedback)
+            return cls(one, *_regulator(one, observer.gain, feedback), observer, feedback)
         if reference.S1 is not None and reference.S1.any():
             raise ParameterError(
                 "a reference is linear, r' = Sr r + Er rho, received one with S1 other than 0", field="S1"
@@ -152,16 +153,15 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
         equations = regulator_equations(one, reference, following=following)
         cancelling = equations.L1 if L1 is None else L1
         feedback = design_state_feedback(one, decay=decay, L1=cancelling)
-        left, terms = (
-            one.A1 + one.B @ feedback.L1,
-            np.abs(one.A1) + np.abs(one.B) @ np.abs(feedback.L1),
-        )
+        left, terms = summed((one.A1,), (one.B, feedback.L1))
         if not share_of_terms(left, terms) <= TOLERANCE:
             raise InfeasibleError(
                 f"a reference needs A1 + B L1 = 0, its residual is {np.abs(left).max():.6g}: f is not "
                 "cancelled, and the steady state is not linear in r"
             )
-        regulator, pi = _servo(one, observer.gain, feedback, reference, equations)
+        straight = equations.L0 - feedback.L0 @ equations.Pi
+        r = fitted(reference, one, "reference")
+        regulator, pi = _regulator(one, observer.gain, feedback, r, straight)
         return cls(one, regulator, pi, observer, feedback, equations)
 
     def error_system(self) -> ErrorSystem:
@@ -190,37 +190,25 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
                 decay=feedback.certificate.bound.decay,
                 certificate=plain(feedback.certificate.values),
             ),
-            equations=None
-            if solved is None
-            else Equations(
-                Pi=entries(solved.Pi),
-                L0=entries(solved.L0),
-                L1=entries(solved.L1),
-                R=entries(solved.R),
-                F=entries(solved.F),
-            ),
+            equations=None if solved is None else Equations(**fields_of(Equations, solved)),
         )
 
 
-def _regulator(plant: Persidskii, gain: FloatArray, feedback: StateFeedback) -> Generator:
-    """The regulator with Pi = I, from (3.3)."""
-    s0 = plant.A0 + plant.B @ feedback.L0 - gain @ plant.C0
-    s1 = plant.A1 + plant.B @ feedback.L1 - gain @ plant.C1
-    return Generator(s0, s1, plant.H, gain, feedback.L0, feedback.L1, plant.Q)
-
-
-def _servo(
+def _regulator(
     plant: Persidskii,
     gain: FloatArray,
     feedback: StateFeedback,
-    reference: Generator,
-    equations: RegulatorEquations,
+    reference: Fitted | None = None,
+    straight: FloatArray | None = None,
 ) -> tuple[Generator, FloatArray]:
-    """The regulator with the reference's states behind its own, and Pi = (I 0)."""
-    r, n, q = fitted(reference, plant, "reference"), plant.n, reference.q
+    """The regulator from (3.3) with Pi = (I 0): the reference's states, fed ``straight``, behind its own."""
+    n, q = plant.n, 0 if reference is None else reference.q
+    last = np.zeros((plant.m, 0)) if straight is None else straight
+    s_r, e_r = (
+        (np.zeros((0, 0)), np.zeros((0, plant.z))) if reference is None else (reference.S0, reference.E)
+    )
     pi = np.hstack([np.eye(n), np.zeros((n, q))])
-    l0 = np.hstack([feedback.L0, equations.L0 - feedback.L0 @ equations.Pi])
-    whole = np.block([[plant.A0 + plant.B @ feedback.L0, plant.B @ l0[:, n:]], [np.zeros((q, n)), r.S0]])
+    whole = np.block([[plant.A0 + plant.B @ feedback.L0, plant.B @ last], [np.zeros((q, n)), s_r]])
     g = np.vstack([gain, np.zeros((q, plant.p))])
     s1 = plant.A1 + plant.B @ feedback.L1 - gain @ plant.C1
     return Generator(
@@ -228,9 +216,9 @@ def _servo(
         np.vstack([s1, np.zeros((q, plant.k))]),
         plant.H @ pi,
         g,
-        l0,
+        np.hstack([feedback.L0, last]),
         feedback.L1,
-        np.vstack([plant.Q, r.E]),
+        np.vstack([plant.Q, e_r]),
     ), pi
 
 
@@ -271,11 +259,7 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
         require_same_nonlinearity(plant, regulator, pi, "regulator")
         require_map(plant, regulator, pi)
         l0 = matrix("L0", self.feedback.L0, plant.m, plant.n)
-        l1 = (
-            np.zeros((plant.m, plant.k))
-            if self.feedback.L1 is None
-            else matrix("L1", self.feedback.L1, plant.m)
-        )
+        l1 = _shaped(self.feedback.L1, plant)
         g = regulator.beside(plant)
         own = {"G": (g.G[: plant.n], observer.gain), "L0": (g.L0[:, : plant.n], l0), "L1": (g.L1, l1)}
         for name, (left, right) in own.items():
@@ -297,16 +281,19 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
         if solved is None:
             return None
         s0 = g.S0[plant.n :, plant.n :]
-        l1 = np.zeros((plant.m, plant.k)) if solved.L1 is None else solved.L1
+        l1 = _shaped(solved.L1, plant)
         checked = checked_equations(plant, s0, solved.Pi, solved.L0, l1, solved.R, solved.F)
         straight = g.L0[:, plant.n :]
-        terms = np.abs(straight) + np.abs(checked.L0) + np.abs(l0) @ np.abs(checked.Pi)
-        if not share_of_terms(straight - checked.L0 + l0 @ checked.Pi, terms) <= TOLERANCE:
+        if not share_of_terms(*summed((straight,), (-checked.L0,), (l0, checked.Pi))) <= TOLERANCE:
             raise CertificateError(
                 "L0 of the regulator does not apply the L0 and Pi of its equations: design it again",
                 field="equations.L0",
             )
         return checked
+
+
+def _shaped(l1: Rows | None, plant: Persidskii) -> FloatArray:
+    return np.zeros((plant.m, plant.k)) if l1 is None else matrix("L1", l1, plant.m)
 
 
 def _require_plant(observer: DrivenObserver, plant: Persidskii) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from pointpred.errors import EventError, ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
-from pointpred_observers.interconnected.steady_state import steady_state_map
+from pointpred_observers.plants import nonlinearity
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.plants.persidskii import Persidskii
@@ -19,11 +19,13 @@ from pointpred_observers.simulations.signals import Setting, run, sampled
 UNUSED = ("unknown_input", "schedule")
 
 
-def open_loop(
-    plant: Persidskii, setting: Setting, times: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """The states, the inputs and the measured outputs of a plant that nothing feeds back."""
+def alone(
+    plant: Persidskii, observer: Any, setting: Setting, title: str, bound: FloatArray | None = None
+) -> Simulation:
+    """A plant that nothing feeds back, beside its observer."""
     setting.refuse("a Persidskii plant", *UNUSED)
+    times = setting.samples(plant.time == "discrete")
+    stage = observer.stage(start=setting.begin(plant.n, "estimate", 0.0))
     both, d = setting.signal("input", plant.m + plant.z), setting.signal("disturbance", plant.n)
 
     def field(t: float, x: FloatArray) -> FloatArray:
@@ -31,7 +33,9 @@ def open_loop(
         return plant.field(t, x, now[: plant.m], now[plant.m :], d(t))
 
     state = run(field, setting.begin(plant.n), times, plant.time == "discrete")
-    return state, sampled(both, times), setting.measured(outputs_of(plant, times, state))
+    inputs, outputs = sampled(both, times), setting.measured(outputs_of(plant, times, state))
+    answers = walked(stage, times, outputs, inputs)
+    return Simulation.of(plant, times, state, answers, outputs, inputs, title, bound=bound)
 
 
 def outputs_of(plant: Persidskii, times: FloatArray, state: FloatArray) -> FloatArray:
@@ -54,12 +58,6 @@ def _too_far(times: FloatArray) -> ParameterError:
         "which is that fast: they must lie closer together, or the design needs less decay",
         field="times",
     )
-
-
-def driven_by(regulator: Generator, plant: Any, setting: Setting) -> Simulation:
-    """A plant under a regulator of given matrices; the estimate is Pi w of the steady-state map."""
-    one = as_plant(plant)
-    return closed(one, regulator, steady_state_map(one, regulator).Pi, setting)
 
 
 def closed(plant: Persidskii, regulator: Generator, pi: FloatArray, setting: Setting) -> Simulation:
@@ -111,10 +109,9 @@ def same(plant: Persidskii, known: Persidskii) -> bool:
     left, right = plant.matrices(0.0), known.matrices(0.0)
     for one in (left, right):
         one["inputs"] = np.hstack([one.pop("B"), one.pop("Q")])
-    same_f = plant.f.codes == known.f.codes and (
-        plant.f.codes is not None or plant.f.function is known.f.function
+    return nonlinearity.same(plant.f, known.f) and all(
+        np.array_equal(left[name], right[name]) for name in left
     )
-    return same_f and all(np.array_equal(left[name], right[name]) for name in left)
 
 
 def unlike(plant: Persidskii, known: Persidskii) -> ParameterError:

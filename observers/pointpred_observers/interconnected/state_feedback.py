@@ -14,7 +14,7 @@ from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import number_text, undetectable, vertices
 from pointpred_observers.numerics.equalities import NO_DIGIT, without_rounding
 from pointpred_observers.numerics.matrices import matrix, positive
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
 from pointpred_observers.proofs.definite import solved
@@ -67,14 +67,60 @@ def design_state_feedback(
     (1.0, True)
     """
     decay = positive("decay", decay)
-    one = as_plant(plant)
-    if one.varying:
-        raise ParameterError(f"a design needs constant matrices; {', '.join(one.varying)} vary: use plant.at")
+    one = constant(plant)
     if not one.B.any():
         raise ParameterError("a feedback needs an input: give the plant a B other than 0", field="B")
     fixed = None if L1 is None else matrix("L1", L1, one.m, one.k)
-    _require_stabilisable(one, fixed)
-    return _feedback(one, decay, fixed)
+    l1 = np.zeros((one.m, one.k)) if fixed is None else fixed
+    a1 = without_rounding(one.A1 + one.B @ l1, one.A1, one.B @ l1)
+    corners = vertices(one.slopes) if a1.any() else {"": np.zeros((one.k, one.r))}
+    for name, d in corners.items():
+        for mode in undetectable((one.A0 + a1 @ d @ one.H).T, one.B.T, one.time):
+            corner = f" at D = diag({name})" if name else ""
+            raise InfeasibleError(
+                f"no input moves the mode of the eigenvalue {number_text(mode)}{corner}: "
+                "(A0, B) is not stabilisable"
+            )
+    middle, half = _slopes(one) if a1.any() else (np.zeros(one.k), np.zeros(one.k))
+    slope = middle[:, None] * one.H if a1.any() else np.zeros((one.k, one.n))
+    used = (half > 0.0) & a1.any(axis=0)  # elsewhere f is linear, or has no effect
+    drift, driven, inner = one.A0 + a1 @ slope, a1[:, used], half[used, None] * one.H[used]
+    free = fixed is None and bool(used.any())
+
+    def posed(units: Coordinates) -> Posed:
+        x, f, t = units.states, units.values, units.seconds
+        b = inward(one.B, x, np.ones(one.m), t)
+        u = 1.0 / np.where(b.any(axis=0), np.abs(b).max(axis=0, initial=0.0), 1.0)
+        scaled = (inward(drift, x, x, t), b * u, inward(driven, x, f, t), inward(inner, f, x))
+        measured = {
+            "X": 1.0 / np.outer(x, x),
+            "Y": 1.0 / np.outer(u, x),
+            "Z": 1.0 / np.outer(u, f),
+            "T": 1.0 / np.outer(f, f),
+        }
+        problem = _inequalities(*scaled, ROOM * decay * t, one.time, free=free)
+        return Posed(problem, measured, lambda v: v.size)
+
+    def audited(values: dict[str, Any], _: float) -> StateFeedback:
+        l0, whole = solved(values["X"], values["Y"].T).T, l1.copy()
+        sizes = np.sqrt(np.diag(values["X"]))
+        terms = np.abs(l0 * sizes).max(axis=1, initial=0.0)[:, None] / sizes
+        l0 = without_rounding(l0, terms, share=NO_DIGIT)
+        if free:
+            whole[:, used] = values["Z"] / np.diag(values["T"])
+            l0 = l0 - whole @ slope
+        return StateFeedback(l0, whole, certify_decay(closed_system(one, l0, whole), decay=decay))
+
+    units = balanced(
+        drift,
+        driven=driven,
+        inner=inner,
+        moved=one.B,
+        slopes=((0.0, 1.0),) * len(inner),
+        rates=(ROOM * decay,),
+        time=one.time,
+    )
+    return search(units, posed, audited)
 
 
 def closed_system(plant: Persidskii, L0: FloatArray, L1: FloatArray) -> ErrorSystem:
@@ -89,65 +135,6 @@ def closed_system(plant: Persidskii, L0: FloatArray, L1: FloatArray) -> ErrorSys
         time=plant.time,
         domain=plant.domain,
     )
-
-
-def _require_stabilisable(plant: Persidskii, l1: FloatArray | None) -> None:
-    """Raise InfeasibleError naming a mode that no input moves, at any corner of the slopes."""
-    a1 = plant.A1 if l1 is None else without_rounding(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
-    corners = vertices(plant.slopes) if a1.any() else {"": np.zeros((plant.k, plant.r))}
-    for name, d in corners.items():
-        for mode in undetectable((plant.A0 + a1 @ d @ plant.H).T, plant.B.T, plant.time):
-            corner = f" at D = diag({name})" if name else ""
-            raise InfeasibleError(
-                f"no input moves the mode of the eigenvalue {number_text(mode)}{corner}: "
-                "(A0, B) is not stabilisable"
-            )
-
-
-def _feedback(plant: Persidskii, decay: float, fixed: FloatArray | None) -> StateFeedback:
-    """The feedback of least input for a decay that is a little larger, whose closed loop is certified."""
-    l1 = np.zeros((plant.m, plant.k)) if fixed is None else fixed
-    a1 = without_rounding(plant.A1 + plant.B @ l1, plant.A1, plant.B @ l1)
-    middle, half = _slopes(plant) if a1.any() else (np.zeros(plant.k), np.zeros(plant.k))
-    slope = middle[:, None] * plant.H if a1.any() else np.zeros((plant.k, plant.n))
-    used = (half > 0.0) & a1.any(axis=0)  # elsewhere f is linear, or has no effect
-    drift, driven, inner = plant.A0 + a1 @ slope, a1[:, used], half[used, None] * plant.H[used]
-    free = fixed is None and bool(used.any())
-
-    def posed(units: Coordinates) -> Posed:
-        x, f, t = units.states, units.values, units.seconds
-        b = inward(plant.B, x, np.ones(plant.m), t)
-        u = 1.0 / np.where(b.any(axis=0), np.abs(b).max(axis=0, initial=0.0), 1.0)
-        scaled = (inward(drift, x, x, t), b * u, inward(driven, x, f, t), inward(inner, f, x))
-        measured = {
-            "X": 1.0 / np.outer(x, x),
-            "Y": 1.0 / np.outer(u, x),
-            "Z": 1.0 / np.outer(u, f),
-            "T": 1.0 / np.outer(f, f),
-        }
-        problem = _inequalities(*scaled, ROOM * decay * t, plant.time, free=free)
-        return Posed(problem, measured, lambda v: v.size)
-
-    def audited(values: dict[str, Any], _: float) -> StateFeedback:
-        l0, whole = solved(values["X"], values["Y"].T).T, l1.copy()
-        sizes = np.sqrt(np.diag(values["X"]))
-        terms = np.abs(l0 * sizes).max(axis=1, initial=0.0)[:, None] / sizes
-        l0 = without_rounding(l0, terms, share=NO_DIGIT)
-        if free:
-            whole[:, used] = values["Z"] / np.diag(values["T"])
-            l0 = l0 - whole @ slope
-        return StateFeedback(l0, whole, certify_decay(closed_system(plant, l0, whole), decay=decay))
-
-    units = balanced(
-        drift,
-        driven=driven,
-        inner=inner,
-        moved=plant.B,
-        slopes=((0.0, 1.0),) * len(inner),
-        rates=(ROOM * decay,),
-        time=plant.time,
-    )
-    return search(units, posed, audited)
 
 
 def _slopes(plant: Persidskii) -> tuple[FloatArray, FloatArray]:

@@ -1,8 +1,8 @@
-"""The steady-state map x = Pi w of a plant and its generator: Proposition 3.2.1 and Corollary 3.2.1."""
+"""Steady states x = Pi w of a plant and its generator, and the input that holds the plant there."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from itertools import combinations, islice
 from typing import Any
@@ -10,18 +10,26 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
+from pointpred_observers.numerics.eigenvalues import number_text
 from pointpred_observers.numerics.equalities import (
     TOLERANCE,
+    Equalities,
     column_units,
+    jacobian,
+    largest,
     nearest_solutions,
+    or_one,
     row_rounding,
     share_of_terms,
+    stacked,
+    summed,
 )
 from pointpred_observers.numerics.matrices import instance, matrix, moments, share
-from pointpred_observers.plants.generator import Generator, fitted
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
+from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
+from pointpred_observers.plants.persidskii import Persidskii
 
 SHARED = "H Pi - J"
 """The equality of the arguments of f."""
@@ -30,33 +38,6 @@ EXACT = 1e-15
 """Relative change at which a solution is refined no further."""
 SUBSPACES_MOST = 5000
 """At most so many invariant subspaces are tried, those of the first eigenvalues."""
-
-
-def invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArray) -> list[FloatArray]:
-    """Every isolated solution if the eigenvalues of ((s0, r), (k, a0)) differ, else some of them.
-
-    A Pi is a solution exactly if the columns of (I; Pi) span an invariant subspace.
-    """
-    q = len(s0)
-    whole = np.block([[s0, r], [k, a0]])
-    values, vectors = np.linalg.eig(whole)
-    graphs = []
-    for chosen in _real_choices(values, q):
-        basis = vectors[:, list(chosen)]
-        if np.linalg.cond(basis[:q]) > 1e10:
-            continue
-        pi = basis[q:] @ np.linalg.inv(basis[:q])
-        graphs.append(np.ascontiguousarray(pi.real))
-    return graphs
-
-
-def _real_choices(values: FloatArray, q: int) -> Iterator[tuple[int, ...]]:
-    """Choices of q eigenvalues in which each complex one comes with its conjugate."""
-    for chosen in islice(combinations(range(len(values)), q), SUBSPACES_MOST):
-        upper = sorted((values[i].real, values[i].imag) for i in chosen if values[i].imag > 0.0)
-        lower = sorted((values[i].real, -values[i].imag) for i in chosen if values[i].imag < 0.0)
-        if len(upper) == len(lower) and np.allclose(upper, lower, rtol=1e-9, atol=0.0):
-            yield chosen
 
 
 class SteadyState(msgspec.Struct, frozen=True):
@@ -75,6 +56,29 @@ class SteadyState(msgspec.Struct, frozen=True):
     others: tuple[FloatArray, ...] = ()
 
 
+def equalities(plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = False) -> Equalities:
+    """The equalities of (3.3) and J = H Pi for a Pi, or those of Corollary 3.2.1."""
+    plant = as_plant(plant)
+    g = fitted(generator, plant)
+    pi = matrix("Pi", Pi, plant.n, g.q)
+    found = {
+        "A0 Pi - Pi G C0 Pi - Pi S0 + B L0": summed(
+            (plant.A0, pi), (-pi, g.G, plant.C0, pi), (-pi, g.S0), (plant.B, g.L0)
+        )
+    }
+    if relaxed:
+        found["A1 - Pi G C1"] = summed((plant.A1,), (-pi, g.G, plant.C1))
+        found["B L1 - Pi S1"] = summed((plant.B, g.L1), (-pi, g.S1))
+    else:
+        found["A1 + B L1 - Pi (S1 + G C1)"] = summed(
+            (plant.A1,), (plant.B, g.L1), (-pi, g.S1), (-pi, g.G, plant.C1)
+        )
+        if generator.J is not None:
+            found[SHARED] = summed((plant.H, pi), (-matrix("J", generator.J, plant.r, g.q),))
+    found["Q - Pi E"] = summed((plant.Q,), (-pi, g.E))
+    return {name: one for name, one in found.items() if one[0].size}
+
+
 def residuals(
     plant: Plant,
     generator: Generator,
@@ -90,66 +94,22 @@ def residuals(
     >>> {name: one.tolist() for name, one in residuals(plant, generator, [[2.0]]).items()}
     {'A0 Pi - Pi G C0 Pi - Pi S0 + B L0': [[0.0]]}
     """
-    return _equalities(plant, generator, Pi, relaxed, lambda one: one, -1.0)
+    return {name: left for name, (left, _) in equalities(plant, generator, Pi, relaxed=relaxed).items()}
 
 
-def relative_residuals(
-    plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = False
-) -> dict[str, tuple[float, float]]:
-    """The largest residual of each equality, and the largest share that an entry has of its own terms.
-
-    The share does not depend on the units of states, inputs, outputs and time: 1 where an entry fails
-    completely, however large those of other rows, columns and equalities are.
-    """
-    left = residuals(plant, generator, Pi, relaxed=relaxed)
-    terms = equality_terms(plant, generator, Pi, relaxed=relaxed)
+def shares_left(found: Equalities) -> dict[str, float]:
+    """The largest share that an entry of each of these ``equalities`` has of its own terms, in any units."""
     # Rows of the plant's states go through all equalities but that of J: they show together what is rounding.
-    states = [name for name in terms if name != SHARED]
-    wide = row_rounding(np.hstack([terms[name] for name in states]))
-    ends = np.cumsum([terms[name].shape[1] for name in states])[:-1]
+    states = [name for name in found if name != SHARED]
+    wide = row_rounding(np.hstack([found[name][1] for name in states]))
+    ends = np.cumsum([found[name][1].shape[1] for name in states])[:-1]
     rounding = dict(zip(states, np.split(wide, ends, axis=1), strict=True))
     # The columns of J belong to the generator's states, whose units the first equality shows.
-    units = {SHARED: column_units(terms[states[0]])}
+    units = {SHARED: column_units(found[states[0]][1])}
     return {
-        name: (
-            float(np.abs(one).max()),
-            share_of_terms(one, terms[name], units.get(name), rounding=rounding.get(name)),
-        )
-        for name, one in left.items()
+        name: share_of_terms(left, terms, units.get(name), rounding=rounding.get(name))
+        for name, (left, terms) in found.items()
     }
-
-
-def equality_terms(
-    plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = False
-) -> dict[str, FloatArray]:
-    """The sizes of each equality's terms before they cancel, in the shapes of ``residuals``."""
-    return _equalities(plant, generator, Pi, relaxed, np.abs, 1.0)
-
-
-def _equalities(
-    plant: Plant, generator: Generator, Pi: Any, relaxed: bool, part: Any, minus: float
-) -> dict[str, FloatArray]:
-    """The left side of each equality, of the ``part`` of each matrix; ``minus`` is the sign within it."""
-    plant = as_plant(plant)
-    g = fitted(generator, plant)
-    pi = part(matrix("Pi", Pi, plant.n, g.q))
-    a0, a1, b, q, c0, c1, h = (
-        part(one) for one in (plant.A0, plant.A1, plant.B, plant.Q, plant.C0, plant.C1, plant.H)
-    )
-    s0, s1, gain, l0, l1, e = (part(one) for one in (g.S0, g.S1, g.G, g.L0, g.L1, g.E))
-    linear = a0 @ pi + minus * (pi @ gain @ c0 @ pi) + minus * (pi @ s0) + b @ l0
-    if relaxed:
-        nonlinear = {
-            "A1 - Pi G C1": a1 + minus * (pi @ gain @ c1),
-            "B L1 - Pi S1": b @ l1 + minus * (pi @ s1),
-        }
-    else:
-        nonlinear = {"A1 + B L1 - Pi (S1 + G C1)": a1 + b @ l1 + minus * (pi @ (s1 + gain @ c1))}
-        if generator.J is not None:
-            j = part(matrix("J", generator.J, plant.r, g.q))
-            nonlinear[SHARED] = h @ pi + minus * j
-    left = {"A0 Pi - Pi G C0 Pi - Pi S0 + B L0": linear, **nonlinear, "Q - Pi E": q + minus * (pi @ e)}
-    return {name: one for name, one in left.items() if one.size}
 
 
 def steady_state_map(
@@ -195,65 +155,78 @@ def steady_state_map(
     plants = [plant.at(t) for t in moments(varying, times, "to hold")]
     g = generator.beside(plants[0])
 
-    def left(pi: FloatArray) -> dict[str, list[FloatArray]]:
-        each = [residuals(one, generator, pi, relaxed=relaxed) for one in plants]
-        return {name: [one[name] for one in each] for name in each[0]}
+    def left(numbers: FloatArray) -> Equalities:
+        each = [equalities(one, generator, numbers.reshape(shape), relaxed=relaxed) for one in plants]
+        parts = {name: zip(*(one[name] for one in each), strict=True) for name in each[0]}
+        return {name: (np.vstack(errors), np.vstack(terms)) for name, (errors, terms) in parts.items()}
 
-    def stacked(numbers: FloatArray) -> FloatArray:
-        parts = left(numbers.reshape(plant.n, g.q)).values()
-        return np.concatenate([one.ravel() for part in parts for one in part])
+    def every(numbers: FloatArray) -> FloatArray:
+        return stacked(left(numbers))
 
+    shape, count = (plant.n, g.q), plant.n * g.q
     linear = not any((g.G @ one.C0).any() for one in plants)
     if linear:
-        slope = _jacobian(stacked, np.zeros(plant.n * g.q))
-        candidates = list(nearest_solutions(stacked, slope))
+        candidates = nearest_solutions(every, count)
     else:
         started = invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
-        candidates = [_refined(stacked, one.ravel()) for one in [*started, np.zeros((plant.n, g.q))]]
-
-    def shares_left(pi: FloatArray) -> dict[str, float]:
-        each = [relative_residuals(one, generator, pi, relaxed=relaxed) for one in plants]
-        return {name: float(np.max([one[name][1] for one in each])) for name in each[0]}
-
-    shape = plant.n, g.q
-    solved = [
-        one
-        for one in candidates
-        if all(part <= tolerance for part in shares_left(one.reshape(shape)).values())
-    ]
+        candidates = [_refined(every, one.ravel()) for one in [*started, np.zeros(shape)]]
+    solved = [one for one in candidates if all(part <= tolerance for part in shares_left(left(one)).values())]
+    if not solved and linear:
+        _name_first(left, count, tolerance)
     if not solved:
-        if linear:
-            _name_first(left, shares_left, shape, tolerance)
-        _refuse(left, [one.reshape(shape) for one in candidates])
-    distinct = _distinct([one.reshape(plant.n, g.q) for one in solved])
+        worst = min((largest(left(one)) for one in candidates), key=lambda each: max(each.values()))
+        name = max(worst, key=lambda one: worst[one])
+        raise UndecidedError(
+            f"no solution of the Riccati equation was found that satisfies the other equalities: {name} "
+            f"keeps a residual of {worst[name]:.6g}"
+        )
+    distinct: list[FloatArray] = []
+    for one in (numbers.reshape(shape) for numbers in solved):
+        if all(np.abs(one - other).max() > 1e-6 * max(1.0, np.abs(one).max()) for other in distinct):
+            distinct.append(one)
     distinct.sort(key=lambda pi: _abscissa(plants[0].A0 - pi @ g.G @ plants[0].C0, plant.time))
     pi = distinct[0]
-    basis = _null(slope if linear else _jacobian(stacked, pi.ravel())).reshape(-1, plant.n, g.q)
-    worst = {name: _largest(parts) for name, parts in left(pi).items()}
-    return SteadyState(pi, plants[0].H @ pi, worst, len(basis), basis, tuple(distinct[1:]))
+    _, sizes, rows = np.linalg.svd(jacobian(every, np.zeros(count) if linear else pi.ravel()))
+    basis = rows[int((sizes > 1e-9 * sizes.max(initial=0.0)).sum()) :].reshape(-1, *shape)
+    return SteadyState(
+        pi, plants[0].H @ pi, largest(left(pi.ravel())), len(basis), basis, tuple(distinct[1:])
+    )
 
 
-def _refined(stacked: Any, start: FloatArray) -> FloatArray:
+def invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArray) -> list[FloatArray]:
+    """Every isolated solution if the eigenvalues of ((s0, r), (k, a0)) differ, else some of them.
+
+    A Pi is a solution exactly if the columns of (I; Pi) span an invariant subspace.
+    """
+    q = len(s0)
+    whole = np.block([[s0, r], [k, a0]])
+    values, vectors = np.linalg.eig(whole)
+    graphs = []
+    for chosen in _real_choices(values, q):
+        basis = vectors[:, list(chosen)]
+        if np.linalg.cond(basis[:q]) > 1e10:
+            continue
+        pi = basis[q:] @ np.linalg.inv(basis[:q])
+        graphs.append(np.ascontiguousarray(pi.real))
+    return graphs
+
+
+def _real_choices(values: FloatArray, q: int) -> Iterator[tuple[int, ...]]:
+    """Choices of q eigenvalues in which each complex one comes with its conjugate."""
+    for chosen in islice(combinations(range(len(values)), q), SUBSPACES_MOST):
+        upper = sorted((values[i].real, values[i].imag) for i in chosen if values[i].imag > 0.0)
+        lower = sorted((values[i].real, -values[i].imag) for i in chosen if values[i].imag < 0.0)
+        if len(upper) == len(lower) and np.allclose(upper, lower, rtol=1e-9, atol=0.0):
+            yield chosen
+
+
+def _refined(residuals: Callable[[FloatArray], FloatArray], start: FloatArray) -> FloatArray:
     """The nearest point where every equality holds, or nearly."""
     from scipy.optimize import least_squares
 
     close: Any = {"xtol": EXACT, "ftol": EXACT, "gtol": EXACT}
-    found = least_squares(stacked, start, partial(_jacobian, stacked), x_scale="jac", **close)
+    found = least_squares(residuals, start, partial(jacobian, residuals), x_scale="jac", **close)
     return np.asarray(found.x, np.float64)
-
-
-def _jacobian(stacked: Any, numbers: FloatArray) -> FloatArray:
-    """The derivative by central differences, which are exact for quadratic equalities."""
-    steps = np.eye(len(numbers))
-    columns = [0.5 * (stacked(numbers + step) - stacked(numbers - step)) for step in steps]
-    return np.array(columns).T
-
-
-def _null(jacobian: FloatArray) -> FloatArray:
-    _, sizes, rows = np.linalg.svd(jacobian, full_matrices=len(jacobian) < jacobian.shape[1])
-    rank = int((sizes > 1e-9 * sizes.max(initial=0.0)).sum())
-    basis: FloatArray = np.asarray(rows[rank:], np.float64)
-    return basis
 
 
 def _abscissa(a: FloatArray, time: str) -> float:
@@ -261,44 +234,177 @@ def _abscissa(a: FloatArray, time: str) -> float:
     return float(np.abs(eigenvalues).max() if time == "discrete" else eigenvalues.real.max())
 
 
-def _distinct(maps: list[FloatArray]) -> list[FloatArray]:
-    distinct: list[FloatArray] = []
-    for one in maps:
-        if all(np.abs(one - other).max() > 1e-6 * max(1.0, np.abs(one).max()) for other in distinct):
-            distinct.append(one)
-    return distinct
-
-
-def _refuse(left: Any, candidates: list[FloatArray]) -> None:
-    worst = min(
-        ({name: _largest(parts) for name, parts in left(one).items()} for one in candidates),
-        key=lambda norms: max(norms.values()),
-    )
-    name = max(worst, key=lambda one: worst[one])
-    raise UndecidedError(
-        f"no solution of the Riccati equation was found that satisfies the other equalities: {name} keeps a "
-        f"residual of {worst[name]:.6g}"
-    )
-
-
-def _name_first(left: Any, shares_left: Any, shape: tuple[int, int], tolerance: float) -> None:
+def _name_first(left: Callable[[FloatArray], Equalities], count: int, tolerance: float) -> None:
     """Raise InfeasibleError for the first equality that cannot hold together with those before it."""
-    names, zero = list(left(np.zeros(shape))), np.zeros(shape[0] * shape[1])
-    for count in range(1, len(names) + 1):
+    names = list(left(np.zeros(count)))
+    for last, name in enumerate(names):
+        first = names[: last + 1]
 
-        def some(numbers: FloatArray, first: list[str] = names[:count]) -> FloatArray:
-            errors = left(numbers.reshape(shape))
-            return np.concatenate([one.ravel() for name in first for one in errors[name]])
+        def some(numbers: FloatArray, first: list[str] = first) -> FloatArray:
+            found = left(numbers)
+            return stacked({one: found[one] for one in first})
 
-        nearest = nearest_solutions(some, _jacobian(some, zero))
-        each = [shares_left(one.reshape(shape)) for one in nearest]
-        held = any(all(one[name] <= tolerance for name in names[:count]) for one in each)
-        if not held or count == len(names):
+        nearest = nearest_solutions(some, count)
+        each = [shares_left(left(one)) for one in nearest]
+        if name == names[-1] or not any(all(one[held] <= tolerance for held in first) for one in each):
             residual = min(float(np.abs(some(one)).max()) for one in nearest)
-            beside = f" beside {', '.join(names[: count - 1])}" if count > 1 else ""
-            reason = f"{names[count - 1]} = 0 cannot hold{beside}"
-            raise InfeasibleError(f"{reason}: the least residual is {residual:.6g}")
+            beside = f" beside {', '.join(first[:-1])}" if last else ""
+            raise InfeasibleError(f"{name} = 0 cannot hold{beside}: the least residual is {residual:.6g}")
 
 
-def _largest(parts: list[FloatArray]) -> float:
-    return max(float(np.abs(one).max()) for one in parts)
+class RegulatorEquations(msgspec.Struct, frozen=True):
+    """Pi, L0 and L1 such that x = Pi w solves the plant under u = L0 w + L1 f(H Pi w), and R Pi = F.
+
+    ``R`` (any, n) and ``F`` (as many, q) are zero where nothing is to be followed. ``residuals`` by equality;
+    ``nullity``: how many independent directions of (Pi, L0, L1) change no equality.
+    """
+
+    Pi: FloatArray
+    L0: FloatArray
+    L1: FloatArray
+    residuals: dict[str, float]
+    nullity: int
+    R: FloatArray
+    F: FloatArray
+
+
+def regulator_equations(
+    plant: Plant,
+    generator: Generator,
+    *,
+    following: tuple[Any, Any] | None = None,
+    tolerance: float = TOLERANCE,
+) -> RegulatorEquations:
+    """Solve (3.3) for the input: the map Pi and the gains with which the plant can follow a generator.
+
+    A0 Pi + B L0 = Pi S0, A1 + B L1 = Pi S1 and, with ``following`` = (R, F), R Pi = F: the combinations R x
+    of the states follow F w. The solution of least norm where there are several. What makes x approach Pi w
+    is another question: see ``design_regulator``.
+
+    Assumes a generator without G (its L0 and L1 are not used) and constant matrices.
+
+    Parameters: ``following`` R (any, n) and F (as many, q); ``tolerance`` of a residual, (0, 1), relative to
+    its own terms. Raises InfeasibleError naming the equality that cannot hold and, where
+    it is one, the zero of the plant from the input to R x that equals an eigenvalue of S0; ParameterError.
+
+    Reference: Khalin 2022, (3.3) with G = 0; Francis and Wonham 1976.
+
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", [0.0, 2.0], None, [1.0, 0.0])
+    >>> circle = Generator([[0.0, 3.0], [-3.0, 0.0]])
+    >>> found = regulator_equations(plant, circle, following=([[1.0, 0.0]], [[1.0, 0.0]]))
+    >>> (found.Pi.round(9) + 0.0).tolist(), found.L0.round(9).tolist()
+    ([[1.0, 0.0], [0.0, 3.0]], [[-4.5, 1.5]])
+    """
+    one = constant(plant, "the input of a steady state")
+    g = fitted(generator, one)
+    require_same_nonlinearity(one, generator)
+    if g.G.any():
+        raise ParameterError("the regulator equations need a generator without G, received one with G")
+    tolerance = share("tolerance", tolerance)
+    r, f = ([[0.0] * one.n], [[0.0] * g.q]) if following is None else _pair(following)
+    rows = matrix("R", r, None, one.n)
+    problem = _Regulation(one, g.S0, g.S1, rows, matrix("F", f, len(rows), g.q))
+    nearest = nearest_solutions(lambda numbers: stacked(problem.left(numbers)), problem.count)
+    for numbers in nearest:
+        if problem.failing(numbers, tolerance) is None:
+            return problem.solved(numbers)
+    name = problem.failing(nearest[0], tolerance) or ""
+    raise InfeasibleError(
+        "the regulator equations cannot hold: the least residual leaves "
+        f"{largest(problem.left(nearest[0]))[name]:.6g} in {name}"
+        f"{'' if following is None else _zeros(one, g.S0, rows)}"
+    )
+
+
+def checked_equations(
+    plant: Persidskii, S0: FloatArray, Pi: Any, L0: Any, L1: Any, R: Any, F: Any
+) -> RegulatorEquations:
+    """The equations of given matrices, such as those of a file, for a generator w' = S0 w + E rho.
+
+    Raises CertificateError naming an equality that does not hold to ``TOLERANCE`` of its own terms.
+    """
+    q = len(S0)
+    rows = matrix("R", R, None, plant.n)
+    problem = _Regulation(plant, S0, np.zeros((q, plant.k)), rows, matrix("F", F, len(rows), q))
+    shapes = {"Pi": (plant.n, q), "L0": (plant.m, q), "L1": (plant.m, plant.k)}
+    given = zip(shapes.items(), (Pi, L0, L1), strict=True)
+    numbers = np.concatenate([matrix(name, one, *shape).ravel() for (name, shape), one in given])
+    name = problem.failing(numbers, TOLERANCE)
+    if name is not None:
+        raise CertificateError(
+            f"the regulator equations do not hold: {largest(problem.left(numbers))[name]:.6g} is left in "
+            f"{name}; design the regulator again",
+            field=name,
+        )
+    return problem.solved(numbers)
+
+
+class _Regulation(msgspec.Struct, frozen=True):
+    """The equalities for a plant, S0, S1, R and F, of the numbers of Pi, L0 and L1."""
+
+    plant: Persidskii
+    s0: FloatArray
+    s1: FloatArray
+    rows: FloatArray
+    wanted: FloatArray
+
+    @property
+    def count(self) -> int:
+        """How many numbers there are."""
+        n, m, k, q = self.plant.n, self.plant.m, self.plant.k, len(self.s0)
+        return int((n + m) * q + m * k)
+
+    def split(self, numbers: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Pi, L0 and L1."""
+        n, m, q, k = self.plant.n, self.plant.m, len(self.s0), self.plant.k
+        pi, l0, l1 = np.split(numbers, [n * q, n * q + m * q])
+        return pi.reshape(n, q), l0.reshape(m, q), l1.reshape(m, k)
+
+    def left(self, numbers: FloatArray) -> Equalities:
+        """The equalities at these numbers."""
+        pi, l0, l1 = self.split(numbers)
+        return {
+            "A0 Pi + B L0 - Pi S0": summed((self.plant.A0, pi), (self.plant.B, l0), (-pi, self.s0)),
+            "A1 + B L1 - Pi S1": summed((self.plant.A1,), (self.plant.B, l1), (-pi, self.s1)),
+            "R Pi - F": summed((self.rows, pi), (-self.wanted,)),
+        }
+
+    def failing(self, numbers: FloatArray, tolerance: float) -> str | None:
+        """The equality that fails most, if one leaves more than this share of its own terms."""
+        shares = {name: share_of_terms(*one) for name, one in self.left(numbers).items()}
+        failed = [name for name, part in shares.items() if not part <= tolerance]
+        return max(failed, key=lambda name: shares[name]) if failed else None
+
+    def solved(self, numbers: FloatArray) -> RegulatorEquations:
+        """The matrices of these numbers, with what they leave."""
+        slope = jacobian(lambda one: stacked(self.left(one)), np.zeros(self.count))
+        rank = int(np.linalg.matrix_rank(slope / or_one(np.abs(slope).max(axis=0, initial=0.0))))
+        left = largest(self.left(numbers))
+        return RegulatorEquations(*self.split(numbers), left, self.count - rank, self.rows, self.wanted)
+
+
+def _pair(following: Any) -> tuple[Any, Any]:
+    try:
+        rows, wanted = following
+    except (TypeError, ValueError) as unusable:
+        raise ParameterError(
+            f"following must be (R, F) with R x to follow F w, received {following!r}",
+            field="following",
+            value=following,
+        ) from unusable
+    return rows, wanted
+
+
+def _zeros(plant: Persidskii, s0: FloatArray, rows: FloatArray) -> str:
+    """Names an eigenvalue of S0 at which the plant does not let every R x through."""
+    for value in np.linalg.eigvals(s0).astype(np.complex128):
+        pencil = np.block(
+            [[plant.A0 - value * np.eye(plant.n), plant.B], [rows, np.zeros((len(rows), plant.m))]]
+        )
+        sizes = np.linalg.svd(pencil, compute_uv=False)
+        if len(sizes) < len(pencil) or sizes[-1] <= 1e-9 * sizes[0]:
+            return (
+                "; the plant has a zero from u to R x at the eigenvalue "
+                f"{number_text(value)} of S0, or too few inputs"
+            )
+    return ""

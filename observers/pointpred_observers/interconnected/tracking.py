@@ -9,10 +9,16 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.regulated import Followed, Regulated, SectorBounds, sector_bounds
-from pointpred_observers.interconnected.steady_state import relative_residuals
+from pointpred_observers.interconnected.regulated import (
+    Followed,
+    Loop,
+    Regulated,
+    SectorBounds,
+    sector_bounds,
+)
+from pointpred_observers.interconnected.steady_state import equalities, shares_left
 from pointpred_observers.numerics.balance import Coordinates
-from pointpred_observers.numerics.equalities import TOLERANCE
+from pointpred_observers.numerics.equalities import TOLERANCE, largest
 from pointpred_observers.numerics.matrices import instance, matrix, share, vector
 from pointpred_observers.plants.generator import (
     Fitted,
@@ -51,8 +57,7 @@ def theorem_3_2_2(
 
     Assumes strict inequalities: with J S~ = 0 the block of f(Jw) is zero and none can hold.
     """
-    plant = as_plant(plant)
-    g, pi = _shared(plant, regulator, Pi)
+    plant, g, pi = _shared(plant, regulator, Pi)
     return Regulated.of(plant, g, pi).inequalities()
 
 
@@ -67,10 +72,46 @@ def theorem_3_2_3(
     Unknowns: P, Gamma > 0, Xi >= 0, diagonal Lambda, Omega1, Omega2, Upsilon >= 0, gamma1, gamma2 > 0;
     A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1. As above, mu = 1 is enough.
     """
-    plant = as_plant(plant)
-    g, pi = _shared(plant, regulator, Pi)
+    plant, g, pi = _shared(plant, regulator, Pi)
     bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
     return Followed.of(plant, g, pi, bound).inequalities()
+
+
+def assumption_3_2_3(plant: Plant, regulator: Generator, Pi: Any) -> MatrixInequalities:
+    """The inequalities of Assumption 3.2.3: ``solve`` finds matrices, ``check`` audits printed ones.
+
+    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Omega, Lambda >= 0; S = S0 + G C0 Pi, S~ = S1 + G C1.
+
+    Assumes r = k, as the thesis does, and strict inequalities in ``solve``: with J S~ = 0 the block of f(Jw)
+    is zero and none can hold.
+
+    >>> from pointpred_observers import Persidskii
+    >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
+    >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
+    >>> printed = {"P": 2.0, "Gamma": 99.0, "Xi": 1.0, "Omega": 4.0, "Lambda": 1.0}
+    >>> sorted(assumption_3_2_3(plant, regulator, [[1.0]]).check(printed))
+    ['Gamma > 0', 'Lambda >= 0', 'Omega >= 0', 'P > 0', 'Phi', 'Xi']
+    """
+    return _of_assumption(theorem_3_2_2(plant, regulator, Pi), "Xi + J' Omega J")
+
+
+def assumption_3_2_6(
+    plant: Plant, regulator: Generator, Pi: Any, sector: SectorBounds | None = None
+) -> MatrixInequalities:
+    """The inequalities of Assumption 3.2.6: ``solve`` finds matrices, ``check`` audits printed ones.
+
+    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Lambda, Omega1, Omega2, Upsilon >= 0, gamma1, gamma2 > 0; A~0 =
+    A0 - Pi G C0, A~1 = A1 - Pi G C1.
+    """
+    conditions = ("R1", "R2", "R3", "R4", "R1 + H'(R2 + R3) H")
+    return _of_assumption(theorem_3_2_3(plant, regulator, Pi, sector), *conditions)
+
+
+def _of_assumption(problem: MatrixInequalities, *conditions: str) -> MatrixInequalities:
+    """A theorem's inequalities without the conditions that are its own."""
+    for name in conditions:
+        problem.blocks.pop(name, None)
+    return problem
 
 
 def certify_tracking(
@@ -102,45 +143,19 @@ def certify_tracking(
     """
     plant, tolerance = as_plant(plant), share("tolerance", tolerance)
     require_same_nonlinearity(plant, instance("regulator", regulator, Generator), name="regulator")
-    for name, (worst, part) in relative_residuals(plant, regulator, Pi).items():
+    held = equalities(plant, regulator, Pi)
+    for name, part in shares_left(held).items():
         if not part <= tolerance:
-            raise InfeasibleError(f"Assumption 3.2.1: {name} = 0 fails, its residual is {worst:.6g}")
+            reason = f"{name} = 0 fails, its residual is {largest(held)[name]:.6g}"
+            raise InfeasibleError(f"Assumption 3.2.1: {reason}")
     # With a larger tolerance J is checked to that share of its terms, above.
     g = fitted(regulator, plant, "regulator")
     pi = matrix("Pi", Pi, plant.n, g.q)
     bound = sector_bounds(plant) if sector is None else instance("sector", sector, SectorBounds)
-    both: dict[str, Regulated | Followed] = {
+    both: dict[str, Loop] = {
         "3.2.3": Regulated.of(plant, g, pi),
         "3.2.6": Followed.of(plant, g, pi, bound),
     }
-    _require_no_growth(both)
-    solutions: list[Solution] = []
-    failed: list[Exception] = []
-    for one in both.values():
-        try:
-            solutions.append(_certified(one))
-        except (InfeasibleError, UndecidedError, CertificateError) as failure:
-            failed.append(failure)
-    if failed:
-        # One assumption that no matrices satisfy is enough for a refusal.
-        kind = next((type(one) for one in failed if isinstance(one, InfeasibleError)), type(failed[0]))
-        raise kind("; ".join(str(one) for one in failed)) from failed[0]
-    first, second = solutions
-    margins = {f"3.2.3: {name}": margin for name, margin in first.margins.items()}
-    margins |= {f"3.2.6: {name}": margin for name, margin in second.margins.items()}
-    return TrackingCertificate(first, second, margins, plant.domain)
-
-
-def _shared(plant: Persidskii, regulator: Any, Pi: Any) -> tuple[Fitted, FloatArray]:
-    """The regulator's matrices and Pi, once it is known to share f and its arguments with the plant."""
-    g = fitted(regulator, plant, "regulator")
-    pi = matrix("Pi", Pi, plant.n, g.q)
-    require_same_nonlinearity(plant, regulator, pi, "regulator")
-    return g, pi
-
-
-def _require_no_growth(both: dict[str, Regulated | Followed]) -> None:
-    """Raise InfeasibleError naming a motion that grows at slopes which an assumption must allow."""
     reasons = []
     for name, one in both.items():
         units = one.units()
@@ -149,18 +164,39 @@ def _require_no_growth(both: dict[str, Regulated | Followed]) -> None:
             reasons.append(f"Assumption {name}: {mode.text(matrix_name, units.seconds)}, must lie left of 0")
     if reasons:
         raise InfeasibleError("; ".join(reasons))
+    solutions: list[Solution] = []
+    failed: list[Exception] = []
+    for one in both.values():
+
+        def posed(units: Coordinates, one: Loop = one) -> Posed:
+            return Posed(one.inward(units).inequalities(), one.measured(units))
+
+        def audited(values: dict[str, Any], _: float, one: Loop = one) -> Solution:
+            return Solution(values, one.inequalities().check(values, printed=False))
+
+        try:
+            solutions.append(search(one.units(), posed, audited))
+        except (InfeasibleError, UndecidedError, CertificateError) as failure:
+            failed.append(failure)
+    if failed:
+        # One assumption that no matrices satisfy is enough for a refusal.
+        kind = next((type(one) for one in failed if isinstance(one, InfeasibleError)), type(failed[0]))
+        raise kind("; ".join(str(one) for one in failed)) from failed[0]
+    margins = {
+        f"{number}: {name}": margin
+        for number, one in zip(both, solutions, strict=True)
+        for name, margin in one.margins.items()
+    }
+    return TrackingCertificate(solutions[0], solutions[1], margins, plant.domain)
 
 
-def _certified(one: Regulated | Followed) -> Solution:
-    """Matrices audited in the user's units."""
-
-    def posed(units: Coordinates) -> Posed:
-        return Posed(one.inward(units).inequalities(), one.measured(units))
-
-    def audited(values: dict[str, Any], _: float) -> Solution:
-        return Solution(values, one.inequalities().check(values, printed=False))
-
-    return search(one.units(), posed, audited)
+def _shared(plant: Plant, regulator: Any, Pi: Any) -> tuple[Persidskii, Fitted, FloatArray]:
+    """The plant, the regulator's matrices and Pi, once they are known to share f and its arguments."""
+    plant = as_plant(plant)
+    g = fitted(regulator, plant, "regulator")
+    pi = matrix("Pi", Pi, plant.n, g.q)
+    require_same_nonlinearity(plant, regulator, pi, "regulator")
+    return plant, g, pi
 
 
 def closed_loop(plant: Plant, regulator: Generator, t: float, both: Any, **signals: Any) -> FloatArray:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
 
 import numpy as np
 
 from pointpred.records import FloatArray
+
+Equalities = dict[str, tuple[FloatArray, FloatArray]]
+"""The left side of each equality by its name, and the sizes of its terms before they cancel."""
 
 TOLERANCE = 1e-9
 """The largest residual of an equality of computed matrices, as a share of its own terms."""
@@ -82,28 +86,57 @@ def column_units(stacked: FloatArray) -> FloatArray:
     return or_one((sizes / or_one(sizes.max(axis=1, initial=0.0))[:, None]).max(axis=0, initial=0.0))
 
 
-def nearest_solutions(
-    stacked: Callable[[FloatArray], FloatArray], slope: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """The least-squares solution of linear equalities, of least norm, without and with its rounding.
+def summed(*products: tuple[FloatArray, ...]) -> tuple[FloatArray, FloatArray]:
+    """A sum of products of matrices, and the same sum of their absolute values: the sizes of its terms.
+
+    >>> left, terms = summed((np.eye(1), np.array([[2.0]])), (np.array([[-3.0]]),))
+    >>> left.tolist(), terms.tolist()
+    ([[-1.0]], [[5.0]])
+    """
+    each = [reduce(np.matmul, one) for one in products]
+    sizes = [reduce(np.matmul, [np.abs(factor) for factor in one]) for one in products]
+    return reduce(np.add, each), reduce(np.add, sizes)
+
+
+def cleared(*products: tuple[FloatArray, ...], share: float = REMAINDER) -> FloatArray:
+    """A sum of products of matrices with zeros for the entries that are rounding."""
+    whole, sizes = summed(*products)
+    return without_rounding(whole, sizes, share=share)
+
+
+def largest(equalities: Equalities) -> dict[str, float]:
+    """The largest residual of each equality."""
+    return {name: float(np.abs(left).max(initial=0.0)) for name, (left, _) in equalities.items()}
+
+
+def stacked(equalities: Equalities) -> FloatArray:
+    """Every residual, one below the other."""
+    return np.concatenate([left.ravel() for left, _ in equalities.values()])
+
+
+def jacobian(residuals: Callable[[FloatArray], FloatArray], at: FloatArray) -> FloatArray:
+    """The derivative by central differences, which are exact for quadratic equalities."""
+    return np.array([0.5 * (residuals(at + step) - residuals(at - step)) for step in np.eye(len(at))]).T
+
+
+def nearest_solutions(residuals: Callable[[FloatArray], FloatArray], count: int) -> list[FloatArray]:
+    """The least-squares ``count`` numbers of affine equalities, of least norm, without and with rounding.
 
     Rows and columns are scaled to 1, and what the first solution leaves is solved for again: then the
     residual of a row is small beside the row's own terms, not only beside those of the largest row. Numbers
     that are rounding beside the largest one are 0 in the first solution; beside numbers in much smaller units
     they may be more than rounding, and the second solution keeps them.
-
-    Parameters: ``stacked`` the residuals (rows,) at given numbers (columns,), affine in them, and ``slope``
-    its derivative (rows, columns).
     """
+    slope = jacobian(residuals, np.zeros(count))
     columns = or_one(np.abs(slope).max(axis=0, initial=0.0))
     rows = or_one(np.abs(slope / columns).max(axis=1, initial=0.0))
     scaled = slope / columns / rows[:, None]
-    numbers: FloatArray = np.zeros(slope.shape[1])
+    numbers: FloatArray = np.zeros(count)
     for _ in range(2):
-        left = -stacked(numbers / columns) / rows
+        left = -residuals(numbers / columns) / rows
         numbers = numbers + np.linalg.lstsq(scaled, left, rcond=None)[0]
-    largest = np.full(numbers.shape, np.abs(numbers).max(initial=0.0))
-    return without_rounding(numbers, largest, share=NO_DIGIT) / columns, numbers / columns
+    most = np.full(numbers.shape, np.abs(numbers).max(initial=0.0))
+    return [without_rounding(numbers, most, share=NO_DIGIT) / columns, numbers / columns]
 
 
 def or_one(sizes: FloatArray) -> FloatArray:

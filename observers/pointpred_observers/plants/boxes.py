@@ -171,13 +171,7 @@ def _interval(name: str, pair: tuple[float, float]) -> tuple[float, float]:
 
 
 def scheduled(name: str, given: Any) -> Scheduled:
-    """A matrix as a function of the scheduling variables; an array is the same everywhere.
-
-    Raises ParameterError for what is neither a function nor a matrix.
-
-    >>> scheduled("A", [[0.0, 1.0]])({}).tolist()
-    [[0.0, 1.0]]
-    """
+    """A matrix as a function of the scheduling variables; an array is the same everywhere."""
     if callable(given):
         function: Scheduled = given
         return function
@@ -188,18 +182,8 @@ def scheduled(name: str, given: Any) -> Scheduled:
 def at_vertices(function: Scheduled, box: Box, name: str, terms: Scheduled | None = None) -> FloatArray:
     """A matrix at each vertex of a box, which must be affine in each variable, (vertices, rows, columns).
 
-    A proof at the vertices covers no other matrix. The function is compared with what its vertices give in
-    the middle of the box and at random points; a difference elsewhere is not noticed. Each entry is compared
-    by its own size, so that none hides behind larger ones. ``terms``: for a function that is itself computed,
-    the sizes of the terms of its entries. Raises ParameterError.
-
-    >>> box = Box({"a": (0.0, 1.0), "b": (-1.0, 1.0)})
-    >>> at_vertices(lambda p: np.array([[p["a"] * p["b"]]]), box, "A").ravel().tolist()
-    [-0.0, 0.0, -1.0, 1.0]
-    >>> at_vertices(lambda p: np.array([[p["a"] ** 2]]), box, "A")
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: A must be affine in each variable; it is off by 0.25 in row 1, column \
-1: make an expression that is not a variable of its own, and 0 of what is only rounding
+    Compared with what its vertices give in the middle of the box and at random points, each entry by its
+    own size and that of its ``terms``. Raises ParameterError.
     """
     found, inside = np.array([function(point) for point in box.corners]), samples(box)
     values = np.array([function(point) for point in inside])
@@ -227,14 +211,9 @@ def samples(box: Box) -> list[dict[str, float]]:
 def difference(
     left: FloatArray, right: FloatArray, more: FloatArray, terms: FloatArray | None
 ) -> tuple[int, int, float] | None:
-    """The row and the column where two lists of matrices differ by more than rounding, and by how much.
+    """Row, column and size of a difference of lists of matrices beyond rounding; ``None`` if none.
 
-    An entry is compared with its own largest value, also over the matrices ``more``, and with the largest of
-    its ``terms``. ``None`` if all are equal.
-
-    >>> one, other = np.array([[[1e6, 1e-6]]]), np.array([[[1e6, 2e-6]]])
-    >>> difference(one, other, one, None)
-    (0, 1, 1e-06)
+    An entry is compared with its own largest value, also over the matrices ``more``, and of its ``terms``.
     """
     sizes = np.abs(np.concatenate([left, right, more])).max(axis=0)
     allowed = NO_DIFFERENCE * sizes + (0.0 if terms is None else CANCELLED * np.abs(terms).max(axis=0))

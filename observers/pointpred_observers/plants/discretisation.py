@@ -10,7 +10,7 @@ from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.matrices import one_of, positive
 from pointpred_observers.plants.generator import Generator
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 
 METHODS = ("zoh", "euler")
@@ -42,24 +42,14 @@ def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
     if isinstance(system, Generator):
         if system.time == "discrete":
             raise ParameterError("c2d needs a continuous generator, received a discrete one", field="system")
-        parts = [np.zeros((system.q, 0)) if one is None else one for one in (system.S1, system.G, system.E)]
-        s0, (s1, g, e) = _sampled(system.S0, parts, step_s, method)
-        return Generator(
-            s0,
-            s1 if system.S1 is not None else None,
-            system.J,
-            g if system.G is not None else None,
-            system.L0,
-            system.L1,
-            e if system.E is not None else None,
-            system.f,
-            time="discrete",
-        )
-    plant = as_plant(system)
+        held = {name: one for name in ("S1", "G", "E") if (one := getattr(system, name)) is not None}
+        s0, parts = _sampled(system.S0, list(held.values()), step_s, method)
+        driven: dict[str, Any] = dict(zip(held, parts, strict=True))
+        kept = {"J": system.J, "L0": system.L0, "L1": system.L1, "f": system.f}
+        return Generator(s0, **driven, **kept, time="discrete")
+    plant = constant(system, "c2d")
     if plant.time == "discrete":
         raise ParameterError("c2d needs a continuous plant, received a discrete one", field="system")
-    if plant.varying:
-        raise ParameterError(f"c2d needs constant matrices; {', '.join(plant.varying)} vary", field="system")
     a0, (a1, b, q) = _sampled(plant.A0, [plant.A1, plant.B, plant.Q], step_s, method)
     return Persidskii(
         a0, a1, plant.H, plant.f, b, q, plant.C0, plant.C1, time="discrete", domain=plant.domain
@@ -72,7 +62,7 @@ def _sampled(
     from scipy.signal import cont2discrete
 
     widths = np.cumsum([one.shape[1] for one in parts])[:-1]
-    drive, none = np.hstack(parts), np.zeros((0, len(a)))
+    drive, none = np.hstack([np.zeros((len(a), 0)), *parts]), np.zeros((0, len(a)))
     system: Any = a, drive, none, np.zeros((0, drive.shape[1]))
     held: Any = cont2discrete(system, step_s, method)
     return np.asarray(held[0], np.float64), np.split(np.asarray(held[1], np.float64), widths, axis=1)

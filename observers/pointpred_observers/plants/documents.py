@@ -1,4 +1,4 @@
-"""Persidskii plants, generators and parameter-varying plants as JSON."""
+"""Plants and generators as JSON: matrices, corners, and expressions as text."""
 
 from __future__ import annotations
 
@@ -17,14 +17,24 @@ from pointpred_observers.plants.entries import (
     PythonFunction,
     Rows,
     entries,
+    fields_of,
     finite,
+    named,
     restored,
     unbounded,
 )
-from pointpred_observers.plants.generator import Fitted, Generator
+from pointpred_observers.plants.expressions import parsed, symbols_of, text_of
+from pointpred_observers.plants.generator import Generator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.plants.nonlinearity import KNOWN, NAMED, Nonlinearity
 from pointpred_observers.plants.persidskii import NAMES, Persidskii
+from pointpred_observers.plants.polynomials import Free
+from pointpred_observers.plants.symbolic import (
+    SymbolicGenerator,
+    SymbolicSteadyState,
+    SymbolicSystem,
+    check_steady_state,
+)
 from pointpred_observers.plants.varying import CornerSystem
 
 Time = Literal["continuous", "discrete"]
@@ -53,11 +63,10 @@ class PlantDocument(Document, tag="plant", frozen=True):
         """The document of a plant of this library, of python-control or of scipy."""
         plant = as_plant(thing)
         return cls(
-            **{name: entries(plant.given(name)) for name in NAMES},
-            f=_named(plant.f) if plant.k else (),
+            **{name: entries(plant.given(name)) for name in NAMES} | {"time": plant.time},
+            f=named(plant.f) if plant.k else (),
             slopes=_slopes(plant.f) if plant.k else None,
             domain=finite(plant.domain),
-            time=_time(plant.time),
         )
 
     def made(self, functions: Functions) -> Persidskii:
@@ -65,7 +74,9 @@ class PlantDocument(Document, tag="plant", frozen=True):
         return Persidskii(
             **{name: restored(name, getattr(self, name), functions) for name in NAMES},
             f=restored("f", self.f, functions),
-            slopes=None if self.slopes is None else [(_low(a), unbounded(b)) for a, b in self.slopes],
+            slopes=None
+            if self.slopes is None
+            else [(-np.inf if a is None else a, unbounded(b)) for a, b in self.slopes],
             time=self.time,
             domain=unbounded(self.domain),
         )
@@ -84,21 +95,9 @@ class GeneratorDocument(Document, tag="generator", frozen=True):
     f: str | tuple[str, ...] | PythonFunction | None = None
     time: Time | None = None
 
-    @classmethod
-    def of(cls, thing: Generator | Fitted) -> Self:
-        """The document of a generator."""
-        given: dict[str, Any] = {name: getattr(thing, name) for name in MATRICES}
-        kept: dict[str, Any] = {name: None if one is None else entries(one) for name, one in given.items()}
-        own = getattr(thing, "f", None)
-        return cls(
-            **kept,
-            f=None if own is None else _named(own),
-            time=getattr(thing, "time", None),
-        )
-
     def made(self, functions: Functions) -> Generator:
         """The generator."""
-        own = None if self.f is None else restored("generator.f", self.f, functions)
+        own = restored("generator.f", self.f, functions)
         return Generator(**{name: getattr(self, name) for name in MATRICES}, f=own, time=self.time)
 
 
@@ -125,23 +124,23 @@ class ParameterVaryingDocument(Document, tag="parameter-varying plant", frozen=T
     def of(cls, thing: CornerSystem) -> Self:
         """The document of a system that is known by its corners."""
         held = {name: one.tolist() for name, one in thing.corners.items()}
-        points = [thing.box.named(vertex) for vertex in thing.box.vertices]
+        time: Any = thing.time
         return cls(
             box=dict(thing.box.bounds),
             corners=[
                 Corner(at=point, **{name: one[i] for name, one in held.items()})
-                for i, point in enumerate(points)
+                for i, point in enumerate(thing.box.corners)
             ],
             C=entries(thing.c),
             rates=dict(thing.rates) or None,
             sizes=None if thing.sizes is None else thing.sizes.tolist(),
-            time=_time(thing.time),
+            time=time,
         )
 
     def made(self, functions: Functions) -> CornerSystem:
         """The system."""
         box = Box(self.box)
-        ordered = [self._corner(box.named(vertex)) for vertex in box.vertices]
+        ordered = [self._corner(point) for point in box.corners]
         if len(self.corners) > len(ordered):
             raise ParameterError(
                 f"the box has {len(ordered)} corners, received {len(self.corners)}", field="corners"
@@ -149,12 +148,13 @@ class ParameterVaryingDocument(Document, tag="parameter-varying plant", frozen=T
         decoupled = [one.TA for one in ordered]
         if any(one is None for one in decoupled) and any(one is not None for one in decoupled):
             raise ParameterError("TA is given at some corners only: give it at all or at none", field="TA")
+        held: dict[str, list[Any]] = {"A": [one.A for one in ordered], "F": [one.F for one in ordered]}
+        if decoupled[0] is not None:
+            held["TA"] = decoupled
         return CornerSystem(
             box,
-            _stacked("A", [one.A for one in ordered]),
-            _stacked("F", [one.F for one in ordered]),
-            self.C,
-            TA=None if decoupled[0] is None else _stacked("TA", decoupled),
+            C=self.C,
+            **{name: _stacked(name, each) for name, each in held.items()},
             rates=self.rates,
             sizes=self.sizes,
             time=self.time,
@@ -169,6 +169,89 @@ class ParameterVaryingDocument(Document, tag="parameter-varying plant", frozen=T
             "combinations",
             field="corners",
         )
+
+
+class SymbolicPlantDocument(Document, tag="symbolic plant", frozen=True):
+    """A ``SymbolicSystem``: names of states and of the input, expressions of field and outputs."""
+
+    states: tuple[str, ...]
+    field: tuple[str, ...]
+    input: str
+    outputs: tuple[str, ...] = ()
+    zero: tuple[str, ...] = ()
+    zero_field: tuple[str, ...] = ()
+
+    def made(self, functions: Functions) -> SymbolicSystem:
+        """The plant."""
+        return SymbolicSystem(
+            symbols_of(self.states),
+            _read("field", self.field),
+            symbols_of((self.input,))[0],
+            zero=symbols_of(self.zero),
+            zero_field=_read("zero_field", self.zero_field),
+            outputs=_read("outputs", self.outputs),
+        )
+
+
+class SymbolicGeneratorDocument(Document, tag="symbolic generator", frozen=True):
+    """A ``SymbolicGenerator``: names of its states, expressions of its field."""
+
+    states: tuple[str, ...]
+    field: tuple[str, ...]
+
+    def made(self, functions: Functions) -> SymbolicGenerator:
+        """The generator."""
+        return SymbolicGenerator(symbols_of(self.states), _read("field", self.field))
+
+
+class FreeTerms(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Terms that may be added to the maps."""
+
+    degree: int
+    terms: dict[str, str]
+
+
+class SteadyStateDocument(Document, tag="steady state", frozen=True):
+    """A ``SymbolicSteadyState``: plant, generator, and the maps, whose equations are checked again."""
+
+    plant: SymbolicPlantDocument
+    generator: SymbolicGeneratorDocument
+    maps: tuple[str, ...]
+    input: str
+    zero_maps: tuple[str, ...] = ()
+    degree: int | None = None
+    free: tuple[FreeTerms, ...] = ()
+
+    @classmethod
+    def of(cls, thing: SymbolicSteadyState) -> Self:
+        """The document of a steady state."""
+        return cls(
+            **fields_of(cls, msgspec.structs.replace(thing, generator=None, free=()))
+            | {
+                "plant": SymbolicPlantDocument.of(thing.system),
+                "generator": SymbolicGeneratorDocument.of(thing.generator),
+                "free": tuple(
+                    FreeTerms(one.degree, {name: text_of(term) for name, term in one.terms.items()})
+                    for one in thing.free
+                ),
+            }
+        )
+
+    def made(self, functions: Functions) -> SymbolicSteadyState:
+        """The steady state; raises CertificateError naming an equation that does not hold."""
+        steady = check_steady_state(
+            self.plant.made(functions),
+            self.generator.made(functions),
+            _read("maps", self.maps),
+            parsed(self.input, "input"),
+            zero=_read("zero_maps", self.zero_maps),
+            degree=self.degree,
+        )
+        free = tuple(
+            Free(one.degree, {name: parsed(text, "free") for name, text in one.terms.items()})
+            for one in self.free
+        )
+        return msgspec.structs.replace(steady, degree=self.degree, free=free)
 
 
 def functions_of(thing: Any) -> dict[str, Any]:
@@ -186,31 +269,14 @@ def functions_of(thing: Any) -> dict[str, Any]:
     return found
 
 
-def _named(f: Nonlinearity) -> Any:
-    """The names of f, one if all components have the same."""
-    if f.codes is None:
-        return entries(f.function)
-    names = tuple(NAMED[code] for code in f.codes)
-    return names[0] if len(set(names)) == 1 else names
-
-
 def _slopes(f: Nonlinearity) -> Any:
     """The slopes where they are not those of the names."""
     if f.slopes is None:
         return None
-    if f.codes is not None:
-        known = tuple((KNOWN[NAMED[code]].low, KNOWN[NAMED[code]].high) for code in f.codes)
-        if f.slopes == known:
-            return None
+    known = [KNOWN[NAMED[code]] for code in f.codes or ()]
+    if f.codes is not None and f.slopes == tuple((one.low, one.high) for one in known):
+        return None
     return [(finite(low), finite(high)) for low, high in f.slopes]
-
-
-def _low(value: float | None) -> float:
-    return -np.inf if value is None else value
-
-
-def _time(value: str) -> Time:
-    return "discrete" if value == "discrete" else "continuous"
 
 
 def _stacked(name: str, matrices: list[Any]) -> Any:
@@ -220,3 +286,7 @@ def _stacked(name: str, matrices: list[Any]) -> Any:
     if len(set(shapes)) > 1:
         raise ParameterError(f"{name} needs the same shape at every corner, received {shapes}", field=name)
     return tables
+
+
+def _read(name: str, texts: tuple[str, ...]) -> list[Any]:
+    return [parsed(text, f"{name}[{i}]") for i, text in enumerate(texts)]

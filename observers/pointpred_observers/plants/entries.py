@@ -10,6 +10,8 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.plants.expressions import names_of, text_of
+from pointpred_observers.plants.nonlinearity import NAMED, Nonlinearity
 
 
 class PythonFunction(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -39,11 +41,40 @@ class Document(
     @classmethod
     def of(cls, thing: Any) -> Self:
         """The document of a thing; raises ParameterError for what no file can hold."""
-        raise NotImplementedError
+        return cls(**fields_of(cls, thing))
 
     def made(self, functions: Functions) -> Any:
         """The thing, its checks and audits done; ``functions`` by name where Python functions are missing."""
         raise NotImplementedError
+
+
+def fields_of(document: type[msgspec.Struct], thing: Any) -> dict[str, Any]:
+    """The fields of a document that its thing has under the same names, as JSON holds them."""
+    names = document.__struct_fields__
+    return {name: written(getattr(thing, name)) for name in names if hasattr(thing, name)}
+
+
+def written(value: Any) -> Any:
+    """Anything that a plant or a design holds, as JSON holds it."""
+    if isinstance(value, tuple):
+        return tuple(map(written, value))
+    if isinstance(value, np.ndarray):
+        return entries(value)
+    if isinstance(value, Nonlinearity):
+        return named(value)
+    if isinstance(value, float):
+        return finite(value)
+    if hasattr(value, "free_symbols"):
+        return names_of([value])[0] if value.is_Symbol else text_of(value)
+    return value
+
+
+def named(f: Nonlinearity) -> Any:
+    """The names of f, one if all components have the same; of a function its own."""
+    if f.codes is None:
+        return entries(f.function)
+    names = tuple(NAMED[code] for code in f.codes)
+    return names[0] if len(set(names)) == 1 else names
 
 
 def entries(value: Any) -> Any:
@@ -65,11 +96,7 @@ def unbounded(value: float | None) -> float:
 
 
 def gap_of(value: float | None, name: str = "gap") -> float:
-    """The stored gap of a design, infinite for ``None``; raises ParameterError for one below 0.
-
-    >>> gap_of(0.25), gap_of(None)
-    (0.25, inf)
-    """
+    """The stored gap of a design, infinite for ``None``; raises ParameterError for one below 0."""
     if value is not None and not value >= 0.0:
         raise ParameterError(
             f"{name} must be a number not below 0, or null where nothing is proved, received {value!r}",

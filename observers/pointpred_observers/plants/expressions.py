@@ -18,13 +18,7 @@ CALLED = (*("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "
 
 
 def text_of(expression: Any) -> str:
-    """An expression as ``parsed`` reads it; raises ParameterError for one that it could not read.
-
-    >>> import sympy as sp
-    >>> x = sp.Symbol("x")
-    >>> text_of(sp.sqrt(x) / 3 + sp.sin(2 * x))
-    'sqrt(x)/3 + sin(2*x)'
-    """
+    """An expression as ``parsed`` reads it; raises ParameterError for one that it could not read."""
     text = str(symbolic().sstr(expression, full_prec=False))
     if parsed(text, "the expression") != expression:
         raise ParameterError(f"{text} cannot be saved: it changes when it is read again")
@@ -51,14 +45,7 @@ def symbols_of(names: tuple[str, ...]) -> list[Any]:
 def parsed(text: str, where: str) -> Any:
     """The expression that a text means: numbers, names, + - * / **, and the known functions of one argument.
 
-    Decimals are read as they print. Nothing is evaluated as Python. Raises ParameterError naming ``where``
-    and the part that cannot be read.
-
-    >>> parsed("0.5*x**2 - sin(x)", "field[0]")
-    x**2/2 - sin(x)
-    >>> parsed("open('/etc/hosts')", "field[0]")  # doctest: +ELLIPSIS
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: field[0]: open('/etc/hosts') is not known; an expression may hold ...
+    Decimals are read as they print. Nothing is evaluated as Python. Raises ParameterError naming ``where``.
     """
     if len(text) > LONGEST:
         raise ParameterError(f"{where}: an expression has at most {LONGEST} characters, received {len(text)}")

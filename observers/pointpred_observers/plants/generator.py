@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.numerics.equalities import TOLERANCE, column_units, share_of_terms
+from pointpred_observers.numerics.equalities import TOLERANCE, column_units, share_of_terms, summed
 from pointpred_observers.numerics.matrices import TIMES, instance, matrix, one_of
 from pointpred_observers.plants.linear_systems import Plant, as_plant
 from pointpred_observers.plants.nonlinearity import NAMED, Nonlinearity, nonlinearity, same
@@ -74,11 +74,7 @@ class Generator:
         self.f = None if f is None else nonlinearity(f, values[0] if values else 1)
 
     def beside(self, plant: Plant) -> Fitted:
-        """Every matrix in the shape that the plant needs, zero where it was left out.
-
-        Raises ParameterError naming the matrix, its shape and the shape needed, and where the generator is
-        discrete and the plant is not, or the other way round.
-        """
+        """Every matrix in the shape that the plant needs, zero where left out; raises ParameterError."""
         if self._fitted is not None and self._fitted[0] is plant:
             return self._fitted[1]
         given, plant, q = plant, as_plant(plant), self.q
@@ -89,13 +85,8 @@ class Generator:
             )
         own = [one.shape[1] for one in (self.S1, self.L1) if self.f is not None and one is not None]
         k = own[0] if own else plant.k
-        needed = {
-            "S1": (q, k),
-            "G": (q, plant.p),
-            "L0": (plant.m, q),
-            "L1": (plant.m, k),
-            "E": (q, plant.z),
-        }
+        m = plant.m
+        needed = {"S1": (q, k), "G": (q, plant.p), "L0": (m, q), "L1": (m, k), "E": (q, plant.z)}
         full = {name: _shaped(name, getattr(self, name), shape) for name, shape in needed.items()}
         j = None if self.J is None else matrix("J", self.J, plant.r if self.f is None else None, q)
         self._fitted = given, Fitted(q=q, S0=self.S0, J=j, **full)
@@ -103,20 +94,16 @@ class Generator:
 
 
 def fitted(generator: Any, plant: Plant, name: str = "generator") -> Fitted:
-    """Every matrix of a generator, or of a regulator, in the shape that the plant needs.
-
-    Raises ParameterError for what is no generator, and naming the matrix that does not fit.
-    """
+    """Every matrix of a generator, or of a regulator, in the shape that the plant needs; checked."""
     return instance(name, generator, Generator).beside(plant)
 
 
 def require_same_nonlinearity(
     plant: Persidskii, generator: Generator, Pi: FloatArray | None = None, name: str = "generator"
 ) -> None:
-    """Raise ParameterError unless generator and plant share f and its arguments, as every proof assumes.
+    """Raise ParameterError unless generator and plant share f and, with ``Pi``, its arguments, J = H Pi.
 
-    The proofs compare f(Hx) with f(Jw): they say nothing of a generator whose own f is another one, nor,
-    where ``Pi`` (n, q) is passed, of a J that differs from H Pi by more than rounding of its terms.
+    Every proof compares f(Hx) with f(Jw).
     """
     used = [one for one in (generator.S1, generator.L1) if one is not None]
     if generator.f is not None and used:
@@ -129,12 +116,10 @@ def require_same_nonlinearity(
             )
     if Pi is None or generator.J is None:
         return
-    needed = plant.H @ Pi
-    j = matrix("J", generator.J, *needed.shape)
-    terms = np.abs(plant.H) @ np.abs(Pi) + np.abs(j)
-    units = column_units(np.abs(plant.A0) @ np.abs(Pi) + np.abs(Pi) @ np.abs(generator.S0))
-    if not share_of_terms(j - needed, terms, units) <= TOLERANCE:
-        raise ParameterError(f"J must be H Pi, differs by {np.abs(j - needed).max():.3g}", field="J")
+    left, terms = summed((matrix("J", generator.J, plant.r, Pi.shape[1]),), (-plant.H, Pi))
+    units = column_units(summed((plant.A0, Pi), (Pi, generator.S0))[1])
+    if not share_of_terms(left, terms, units) <= TOLERANCE:
+        raise ParameterError(f"J must be H Pi, differs by {np.abs(left).max():.3g}", field="J")
 
 
 def _text(f: Nonlinearity) -> str:

@@ -34,14 +34,6 @@ def as_plant(system: Any) -> Persidskii:
 
     Raises ParameterError for other objects, for a transfer function that is not proper, for a system without
     states, for D other than 0 and for a ``dt`` that is no number.
-
-    >>> from scipy import signal
-    >>> as_plant(signal.TransferFunction([1.0], [1.0, 2.0, 1.0])).A0.tolist()
-    [[-2.0, -1.0], [1.0, 0.0]]
-    >>> as_plant([[1.0]])
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: a plant must be a Persidskii system or a linear one with A, B, C and D, \
-such as control.StateSpace or scipy.signal.StateSpace, received list
     """
     if isinstance(system, Persidskii):
         return system
@@ -66,6 +58,15 @@ such as control.StateSpace or scipy.signal.StateSpace, received list
         )
     time = "discrete" if _has_step(system) else "continuous"
     return Persidskii(a, None, None, "identity", B=system.B, C0=system.C, time=time)
+
+
+def constant(system: Any, what: str = "a design") -> Persidskii:
+    """The same for what needs constant matrices; raises ParameterError naming those that vary."""
+    plant = as_plant(system)
+    if plant.varying:
+        varying = ", ".join(plant.varying)
+        raise ParameterError(f"{what} needs constant matrices; {varying} vary: use plant.at", field="plant")
+    return plant
 
 
 def _realised(system: Any) -> Any:

@@ -83,13 +83,6 @@ def nonlinearity(f: Any, count: int, slopes: Any = None) -> Nonlinearity:
     """The f of a name, of one name for each of ``count`` components, or of a function of the vector.
 
     Raises ParameterError for an unknown name and for slopes that are not intervals.
-
-    >>> nonlinearity("sin", 2)([0.0, 0.5]).round(3).tolist()
-    [0.0, 0.479]
-    >>> nonlinearity("sine", 1)
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: f must be a function or one of identity, sin, tanh, atan, saturation, \
-cube, received 'sine'
     """
     if isinstance(f, Nonlinearity):
         return (
@@ -157,9 +150,7 @@ def true_slopes(code: int, domain: float) -> tuple[float, float]:
 def require_slopes(f: Nonlinearity, count: int, arguments: int, domain: float) -> None:
     """Raise ParameterError where f does not have the slopes that it is said to have within ``domain``.
 
-    A function is sampled: at points of the diagonal, where each component's argument is the same, and at
-    points where one argument after the other moves, which may change no other component. Its values must be
-    ``count`` finite numbers there. Without slopes it is evaluated at 0 only, for their number.
+    A function is sampled where all arguments are the same, and where one after the other moves.
     """
     if f.codes is None:
         _require_samples(f, count, arguments, domain)
@@ -206,10 +197,7 @@ def _require_samples(f: Nonlinearity, count: int, arguments: int, domain: float)
 
 
 def _require_elementwise(f: Nonlinearity, count: int, reach: float) -> None:
-    """Raise ParameterError where a component of f changes with the argument of another.
-
-    The corners of the slopes are diagonal matrices, which prove nothing of any other f.
-    """
+    """Raise ParameterError where a component changes with another's argument: corners would prove nothing."""
     rng = np.random.default_rng(0)
     for scale in reach * np.geomspace(1.0, 1e-4, SCALES):
         here, there = scale * rng.uniform(-1.0, 1.0, (2, count))

@@ -86,19 +86,11 @@ class Persidskii:
             raise ParameterError(
                 f"H has {self.r} rows, an elementwise f with {self.k} components needs {self.k}", field="H"
             )
-        if self.k and self.f.slopes is not None:
-            self._require_elementwise_sizes(len(self.f.slopes))
-        if self.k and self.f.checked < self.domain:
-            require_slopes(self.f, self.k, self.r, self.domain)
-            self.f = msgspec.structs.replace(self.f, checked=self.domain)
-
-    def _require_elementwise_sizes(self, components: int) -> None:
-        """Raise ParameterError unless f has a slope and an argument for each component."""
-        if components != self.k:
+        if self.k and self.f.slopes is not None and len(self.f.slopes) != self.k:
             raise ParameterError(
-                f"f has {components} components, needs {self.k}: one for each column of A1", field="f"
+                f"f has {len(self.f.slopes)} components, needs {self.k}: one for each column of A1", field="f"
             )
-        if self.r != self.k:
+        if self.k and self.f.slopes is not None and self.r != self.k:
             raise ParameterError(
                 "slopes are those of an f whose components each depend upon their own argument: f has "
                 f"{self.k} components (columns of A1) and {self.r} arguments (rows of H); write it with as "
@@ -106,6 +98,9 @@ class Persidskii:
                 field="slopes",
                 value=self.f.slopes,
             )
+        if self.k and self.f.checked < self.domain:
+            require_slopes(self.f, self.k, self.r, self.domain)
+            self.f = msgspec.structs.replace(self.f, checked=self.domain)
 
     A0: FloatArray
     A1: FloatArray

@@ -34,11 +34,7 @@ def symbolic() -> Any:
 
 
 def exact(expression: Any) -> Any:
-    """An expression with every float as the decimal it prints.
-
-    >>> exact(0.1) * 3
-    3/10
-    """
+    """An expression with every float as the decimal it prints."""
     sp = symbolic()
     try:
         e = sp.sympify(expression)
@@ -69,14 +65,8 @@ def cut(series: Any, degree: int) -> Any:
 def composed(expression: Any, values: Mapping[Any, Any], over: Sequence[Any], degree: int) -> Any:
     """The power series, truncated at ``degree``, of an expression whose symbols are themselves series.
 
-    Symbols that are not keys of ``values`` are constants. Functions of one argument out of ``ANALYTIC``,
-    sums, products and powers are expanded; anything else raises ParameterError, and so does a singularity
-    at the origin.
-
-    >>> import sympy as sp
-    >>> w = sp.Symbol("w")
-    >>> composed(sp.exp(w) / (1 - w), {w: sp.Poly(w, w)}, (w,), 3).as_expr()
-    8*w**3/3 + 5*w**2/2 + 2*w + 1
+    Symbols that are not keys of ``values`` are constants. Raises ParameterError for what is not made of
+    sums, products, powers and ``ANALYTIC`` functions, and at a singularity.
     """
     sp = symbolic()
 
@@ -141,19 +131,14 @@ def power_series(
 ) -> tuple[dict[Any, Any], list[Free]]:
     """The response x = pi(w) of x' = F(x, w) to w' = s(w) up to a degree, and its free terms, set to zero.
 
-    The terms of degree k of Dpi(w) s(w) = F(pi(w), w) solve a linear equation that depends on the linear
-    parts A of F and S of s only. It is singular where an eigenvalue of A is a sum of k eigenvalues of S, a
-    resonance; one whose equation is still solvable leaves terms free. Assumes analytic F and s with F(0, 0) =
-    0 and s(0) = 0. Parameters without value are generic: resonances at particular values are not detected.
+    The terms of degree k of Dpi(w) s(w) = F(pi(w), w) solve a linear equation in the linear parts A of F
+    and S of s, singular where an eigenvalue of A is a sum of k of S: a resonance, which leaves terms free
+    or has no solution. Assumes analytic F and s, zero at 0. Parameters without value are generic.
 
     Parameters: ``unknowns`` x and ``fields`` F, ``inputs`` other symbols of F as expressions in w, ``over``
-    the states w of the generator and ``motion`` s. Raises ParameterError, and InfeasibleError at a resonance
-    that has no solution. Reference: Carr 1981, section 1.4; Isidori 1995, section 8.3.
-
-    >>> import sympy as sp
-    >>> x, w = sp.symbols("x w")
-    >>> power_series([x], [-x + w**2], {}, [w], [-w / 4], 2)
-    ({x: 2*w**2}, [])
+    the states w and ``motion`` s. Raises ParameterError, and InfeasibleError at a resonance without
+    solution.
+    Reference: Carr 1981, section 1.4; Isidori 1995, section 8.3.
     """
     sp = symbolic()
     zero = sp.Poly(0, *over)
@@ -185,10 +170,7 @@ def power_series(
 def _of_degree(
     unknowns: Sequence[Any], slopes: Any, turn: Sequence[Any], left: Sequence[Any], k: int
 ) -> tuple[list[Any], list[list[Any]]]:
-    """The terms of degree k of each unknown, and a basis of those that may be added.
-
-    They balance what is ``left`` of the equations: monomials with coefficients that are to be found.
-    """
+    """The terms of degree k of each unknown that balance what is ``left``, and a basis of free ones."""
     sp, over = symbolic(), turn[0].gens
     monomials = [sp.Mul(*chosen) for chosen in combinations_with_replacement(over, k)]
     names = [sp.symbols(f"c0:{len(monomials)}", cls=sp.Dummy) for _ in unknowns]

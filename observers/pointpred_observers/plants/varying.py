@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.balance import Coordinates, balanced
-from pointpred_observers.numerics.equalities import without_rounding
+from pointpred_observers.numerics.equalities import cleared
 from pointpred_observers.numerics.matrices import TIMES, dimensions, instance, matrix, one_of
 from pointpred_observers.plants.boxes import (
     Box,
@@ -83,10 +83,7 @@ class ParameterVaryingSystem:
         return self._decoupled is not None
 
     def units(self, gammas: FloatArray, decay: float) -> tuple[Coordinates, float]:
-        """The units in which a design for ``gammas`` is posed, and the unit of time in which it is balanced.
-
-        The first are those of ``sizes``, or balanced ones.
-        """
+        """The units of a design for ``gammas``, of ``sizes`` or balanced, and the balanced unit of time."""
         units = balanced(gammas, seen=self.c, rates=(2.0 * decay,), time=self.time)
         if self.sizes is None:
             return units, units.seconds
@@ -94,11 +91,7 @@ class ParameterVaryingSystem:
         return Coordinates(self.sizes, outputs, none, none, 1.0), units.seconds
 
     def weighted(self, box: Box) -> Self:
-        """The same system, whose (C F)^+ weighs the outputs in balanced units if there is a choice.
-
-        With more outputs than unknown inputs there are many inverses of C F; the one of plain least squares
-        would depend on the units of the outputs.
-        """
+        """The same system, whose (C F)^+ weighs the outputs in balanced units if there is a choice."""
         if self.decoupled or len(self.c) == self.f(box.corners[0]).shape[1]:
             return self
         other = copy(self)
@@ -120,21 +113,16 @@ class ParameterVaryingSystem:
         return -f @ self._inverse(f)
 
     def t(self, point: Point, *, check: bool = True) -> FloatArray:
-        """T = I + E C; raises ParameterError naming the ranks if T F = 0 is impossible.
-
-        Without ``check`` it is computed in any case.
-        """
+        """T = I + E C; with ``check`` raises ParameterError naming the ranks if T F = 0 is impossible."""
         if check:
             return decoupling(self.f(point), self._weights[:, None] * self.c)
-        e, one = self.e(point), np.eye(self.c.shape[1])
-        return without_rounding(one + e @ self.c, one, np.abs(e) @ np.abs(self.c))
+        return cleared((np.eye(self.c.shape[1]),), (self.e(point), self.c))
 
     def ta(self, point: Point) -> FloatArray:
         """T A at a point."""
         if self._decoupled is not None:
             return _shaped("T A", self._decoupled(point), (self.c.shape[1], self.c.shape[1]))
-        t, a = self.t(point, check=False), self.a(point)
-        return without_rounding(t @ a, np.abs(t) @ np.abs(a))
+        return cleared((self.t(point, check=False), self.a(point)))
 
     def e_rate(self, point: Point) -> FloatArray:
         """dE/dt from the rates of F's variables; exact for F affine in each, zero in discrete time."""
@@ -150,8 +138,7 @@ class ParameterVaryingSystem:
         ta = self.ta(point)
         if not self.rates:
             return ta
-        moving = self.e_rate(point)
-        return without_rounding(ta + moving @ self.c, ta, np.abs(moving) @ np.abs(self.c))
+        return cleared((ta,), (self.e_rate(point), self.c))
 
     def at_vertices(self, box: Box) -> tuple[FloatArray, FloatArray]:
         """Gamma and T at each vertex; raises ParameterError where one is not affine in each variable."""
@@ -310,14 +297,7 @@ class CornerSystem(ParameterVaryingSystem):
 
 
 class CornerMatrix:
-    """A matrix that is affine in each variable of a box, also beyond it; exact at the corners.
-
-    A variable along which the matrix does not change need not be in the point.
-
-    >>> held = CornerMatrix(Box({"k": (1.0, 3.0)}), np.array([[[10.0]], [[30.0]]]))
-    >>> held({"k": 1.5}).tolist(), held({"k": 4.0}).tolist()
-    ([[15.0]], [[40.0]])
-    """
+    """A matrix that is affine in each variable of a box, also beyond it; exact at the corners."""
 
     def __init__(self, box: Box, values: FloatArray) -> None:
         wide = [(name, pair) for name, pair in box.bounds.items() if pair[0] < pair[1]]

@@ -8,17 +8,14 @@ from numpy.typing import NDArray
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.balance import balanced, inward
-from pointpred_observers.numerics.equalities import without_rounding
+from pointpred_observers.numerics.equalities import cleared, or_one
 
 RELATIVE = 1e-9
 """Singular values below this share of the largest count as zero."""
 
 
 def kernel(matrix: FloatArray, size: float | None = None) -> FloatArray:
-    """An orthonormal basis of the null space of a matrix, one vector per column.
-
-    ``size`` is the reference for small singular values, by default the largest.
-    """
+    """An orthonormal basis of the null space, a vector a column; ``size`` in place of the largest value."""
     _, sizes, rows = np.linalg.svd(np.atleast_2d(matrix))
     rank = int((sizes > RELATIVE * (sizes.max(initial=0.0) if size is None else size)).sum())
     basis: FloatArray = rows[rank:].T
@@ -26,12 +23,7 @@ def kernel(matrix: FloatArray, size: float | None = None) -> FloatArray:
 
 
 def independent(c: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """R and C' with C = R C', R'R = I and independent rows in C'; R is the identity if C has such rows.
-
-    >>> rows, c = independent(np.array([[3.0, 0.0], [4.0, 0.0]]))
-    >>> (rows @ c).round(9).tolist(), len(c)
-    ([[3.0, 0.0], [4.0, 0.0]], 1)
-    """
+    """R and C' with C = R C', R'R = I and independent rows in C'; R is the identity if C has such rows."""
     left, sizes, right = np.linalg.svd(c, full_matrices=False)
     rank = int((sizes > RELATIVE * sizes.max(initial=0.0)).sum())
     if rank == len(c):
@@ -40,12 +32,7 @@ def independent(c: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
-    """An orthonormal basis of the largest subspace inside ker C that Gamma maps into itself.
-
-    >>> basis = unobservable(np.array([[0.0, 1.0], [0.0, -3.0]]), np.array([[0.0, 1.0]]))
-    >>> np.abs(basis).round(6).tolist()
-    [[1.0], [0.0]]
-    """
+    """An orthonormal basis of the largest subspace inside ker C that Gamma maps into itself."""
     basis, size = kernel(c), float(np.linalg.norm(gamma, 2))
     while basis.shape[1]:
         moved = gamma @ basis
@@ -58,11 +45,7 @@ def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
 
 
 def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
-    """The eigenvalues of Gamma that Gamma - K C keeps for every K, complex, the slowest first.
-
-    >>> fixed_modes(np.diag([-1.0, -2.0]), np.array([[1.0, 0.0]])).real.tolist()
-    [-2.0]
-    """
+    """The eigenvalues of Gamma that Gamma - K C keeps for every K, complex, the slowest first."""
     units = balanced(gamma, seen=c)
     gamma = inward(gamma, units.states, units.states)
     basis = unobservable(gamma, inward(c, units.outputs, units.states))
@@ -73,22 +56,14 @@ def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
 
 
 def _rank(entries: FloatArray, sizes: FloatArray) -> int:
-    """The rank of a matrix after its rows and columns are scaled, so that it does not depend on units.
-
-    ``sizes`` are those of the terms of each entry, of which it may be a small difference.
-    """
-    rows = sizes.max(axis=1, initial=0.0)
-    rows[rows == 0.0] = 1.0
-    columns = (sizes / rows[:, None]).max(axis=0, initial=0.0)
-    columns[columns == 0.0] = 1.0
+    """The rank in any units; ``sizes`` are those of the terms of each entry."""
+    rows = or_one(sizes.max(axis=1, initial=0.0))
+    columns = or_one((sizes / rows[:, None]).max(axis=0, initial=0.0))
     return int(np.linalg.matrix_rank(entries / rows[:, None] / columns, tol=RELATIVE))
 
 
 def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
-    """T = I - F (C F)^+ C, which blocks the unknown inputs: T F = 0.
-
-    Raises ParameterError naming the ranks if the unknown inputs cannot be decoupled.
-    """
+    """T = I - F (C F)^+ C, with T F = 0; raises ParameterError naming the ranks if there is none."""
     if f.ndim != 2 or c.ndim != 2 or f.shape[0] != c.shape[1]:
         raise ParameterError(f"C F must exist: F has shape {f.shape}, C has shape {c.shape}")
     if not f.shape[1]:
@@ -102,5 +77,4 @@ def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
             f"rank(C F) must equal rank(F): rank(C F) = {rank_cf} < rank(F) = {rank}, "
             "so an unknown input does not reach the outputs directly"
         )
-    e = f @ np.linalg.pinv(cf)
-    return without_rounding(np.eye(len(f)) - e @ c, np.eye(len(f)), np.abs(e) @ np.abs(c))
+    return cleared((np.eye(len(f)),), (-(f @ np.linalg.pinv(cf)), c))

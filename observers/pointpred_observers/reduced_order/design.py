@@ -10,7 +10,6 @@ import numpy as np
 from pointpred.errors import (
     CertificateError,
     InfeasibleError,
-    ParameterError,
     PointpredError,
     UndecidedError,
 )
@@ -23,14 +22,14 @@ from pointpred_observers.numerics.equalities import NO_DIGIT, TOLERANCE, without
 from pointpred_observers.numerics.matrices import matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.entries import Functions, Values, finite, gap_of, matrices_of, plain
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.search import least_in_both, outward_all
 from pointpred_observers.proofs.stationary import filter_start
-from pointpred_observers.reduced_order.convergence import Convergence
 from pointpred_observers.reduced_order.reversed_certificate import (
+    Convergence,
     certified_convergence,
     certify_convergence,
 )
@@ -105,15 +104,13 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
 
         Reference: Khalin 2022, section 3.3.3, (3.33)-(3.40), Theorems 3.3.1 and 3.3.2.
         """
-        plant, decay = as_plant(plant), positive("decay", decay)
-        if plant.varying:
-            raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
+        plant, decay = constant(plant), positive("decay", decay)
         units = balanced(
             plant.A0,
             seen=plant.C0,
             driven=plant.A1,
             inner=plant.H,
-            slopes=plant.slopes if plant.A1.any() and _bounded(plant) else None,
+            slopes=plant.slopes if plant.A1.any() and np.isfinite(plant.slopes or [np.inf]).all() else None,
             rates=(decay,),
             time=plant.time,
         )
@@ -216,10 +213,10 @@ class ReducedOrderDocument(InvariantDocument, tag="reduced-order observer", froz
 
 
 def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
-    """The unmeasured part turned to the axes of the stationary filter's P; ``None`` if there is no filter.
+    """The unmeasured part turned to the axes of the stationary filter's P, if there is a filter.
 
-    A state that the outputs barely show is then a coordinate of its own. Elsewhere it is a small difference
-    of large numbers, and rounding decides the inequality.
+    A state that the outputs barely show is then a coordinate of its own, and no small difference of large
+    numbers.
     """
     pi = _unmeasured(plant)
     parts = split(plant, pi)
@@ -228,11 +225,6 @@ def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
         return None
     turned = np.linalg.eigh(start[0])[1].T @ pi
     return without_rounding(turned, np.ones_like(turned), share=NO_DIGIT)
-
-
-def _bounded(plant: Persidskii) -> bool:
-    """Whether every slope is known and bounded."""
-    return plant.slopes is not None and bool(np.isfinite(plant.slopes).all())
 
 
 def _inward(plant: Persidskii, units: Coordinates) -> Persidskii:
@@ -269,25 +261,16 @@ def _chosen(
     )
 
     def made(units: Coordinates) -> tuple[FloatArray, float, dict[str, Any]]:
-        x, y, f, s, t = units.states, units.outputs, units.values, units.arguments, units.seconds
-        slopes = units.slopes(plant.slopes)
-        choice = InjectionSearch(
-            Split(
-                inward(parts.drift, x, x, t),
-                inward(parts.seen, y, x),
-                inward(parts.driven, x, f, t),
-                inward(parts.shown, y, f),
-                inward(parts.inner, s, x),
-                parts.outer,
-            ),
-            vertices(slopes) if sloped else {},
-            slopes,
-            plant.time,
-            rates[1] * t,
-        )
+        x, t, slopes = units.states, units.seconds, units.slopes(plant.slopes)
+        corners = vertices(slopes) if sloped else {}
+        choice = InjectionSearch(parts.inward(units), corners, slopes, plant.time, rates[1] * t)
         upsilon, gap, proof = choice.made()
         form = np.outer(x, x)
-        return outward(upsilon, x, y, t), gap, outward_all(proof, {"P": form, "W": t * form, "alpha": 1.0})
+        return (
+            outward(upsilon, x, units.outputs, t),
+            gap,
+            outward_all(proof, {"P": form, "W": t * form, "alpha": 1.0}),
+        )
 
     return least_in_both(units, made)
 

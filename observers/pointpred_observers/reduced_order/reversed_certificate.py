@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import expm1
 from typing import Any
 
@@ -11,19 +11,75 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
+from pointpred_observers.interconnected.interconnection import symmetric
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import require_decay, vertices
 from pointpred_observers.numerics.matrices import instance, matrix, moments, positive
-from pointpred_observers.plants.nonlinearity import NARROWER
-from pointpred_observers.plants.persidskii import Persidskii
-from pointpred_observers.proofs.bounds import least_ratio
+from pointpred_observers.plants.nonlinearity import NARROWER, intervals, nonlinearity, require_slopes
+from pointpred_observers.plants.persidskii import Persidskii, column, row
+from pointpred_observers.proofs.bounds import (
+    ErrorBound,
+    decay_of,
+    eigenvalues,
+    least_ratio,
+    proved_bound,
+    region,
+)
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.search import Posed, at_decay, inward_all, search
 from pointpred_observers.proofs.stationary import cover, decay_start, middle, normal
 from pointpred_observers.proofs.unknowns import Block
-from pointpred_observers.reduced_order.connections import Slopes, connections_of
-from pointpred_observers.reduced_order.convergence import Convergence, convergence
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
+
+Slopes = tuple[tuple[float, float], ...] | None
+
+
+class Convergence(msgspec.Struct, frozen=True):
+    """A certificate that the invariant solution attracts the observer's state.
+
+    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` recomputed from them, the
+    ``bound`` of the error for a disturbance delta of the observer's equation. It holds while the arguments
+    of f, ``J`` times the error beside the true ones, stay within ``domain``. ``gap``: how far the least
+    condition number of P in balanced units (in discrete time plus the size of Gamma) could lie below that
+    of this one, relative to it.
+    """
+
+    theorem: str
+    values: dict[str, Any]
+    margins: dict[str, float]
+    bound: ErrorBound
+    J: FloatArray
+    domain: float
+    gap: float = np.inf
+
+    def region(self, reach: float) -> tuple[float, float]:
+        """The level c of e'Pe <= c and the radius of the largest ball of initial errors in the domain.
+
+        ``reach`` bounds abs(H x) on the true trajectory. Raises CertificateError if that leaves the domain.
+        """
+        return region(
+            self.values["P"], self.J, self.domain, np.full(len(self.J), positive("reach", reach, zero=True))
+        )
+
+    @classmethod
+    def of(
+        cls,
+        connections: list[Connection],
+        plant: Persidskii,
+        values: dict[str, Any],
+        margins: dict[str, float],
+        gap: float,
+    ) -> Convergence:
+        """What audited matrices prove."""
+        if plant.time == "discrete":
+            theorem, drive = "3.3.2", eigenvalues("Gamma", values["Gamma"])[-1]
+        else:  # delta'P delta / gamma, with the factor that the print lacks
+            theorem, drive = "3.3.1", eigenvalues("P", values["P"])[-1] / values["gamma"]
+        decay = decay_of(values["P"], values["Xi"], plant.time)
+        bound = proved_bound(values["P"], decay, {"delta": drive}, plant.time)
+        sloped = [one.J for one in connections if one.S1.any()]
+        j = np.vstack(sloped) if sloped else np.zeros((0, len(connections[0].S0)))
+        return cls(theorem, values, margins, bound, j, plant.domain if sloped else np.inf, gap)
 
 
 def theorem_3_3_1(
@@ -55,13 +111,28 @@ def theorem_3_3_1(
     sloped = any(one.S1.any() for one in connections)
     if sloped:
         problem.symmetric("W", q)
-    for i, one in enumerate(connections):
-        mark = f" at {i}" if len(connections) > 1 else ""
+    corners = vertices(slopes) if sloped else {}
+
+    def sector(one: Connection, corner: FloatArray) -> Block:
+        return lambda v: v.W - symmetric(v.P @ one.S1 @ corner @ one.J)
+
+    def add(one: Connection, mark: str) -> None:
         if F is not None:
-            problem.equal(f"P S1 - F{mark}", _product(one, matrix("F", F, q, one.S1.shape[1])))
-        for name, corner in (vertices(slopes) if sloped else {}).items():
-            problem.above(f"W - sym(F D J), D = diag({name}){mark}", _sector(one, corner), strict=False)
-        problem.below(f"the inequality{mark}", _dissipation(one, gamma, sloped))
+            f = matrix("F", F, q, one.S1.shape[1])
+            problem.equal(f"P S1 - F{mark}", lambda v: v.P @ one.S1 - f)
+        for name, corner in corners.items():
+            problem.above(
+                f"W - sym(F D J), D = diag({name}){mark}",
+                sector(one, corner),
+                strict=False,
+            )
+        problem.below(
+            f"the inequality{mark}",
+            lambda v: symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0),
+        )
+
+    for i, one in enumerate(connections):
+        add(one, f" at {i}" if len(connections) > 1 else "")
     return problem
 
 
@@ -134,20 +205,64 @@ def certify_convergence(
     for name, given in (("decay", decay), ("gamma", gamma)):
         if given is not None:
             positive(name, given)
-    varying = "the observer" if instance("observer", observer, InvariantObserver).varying else ""
-    connections = [observer.at(t) for t in moments(varying, times, "certified")]
-    for one in connections:
-        one.require_equalities()
-    slowest = max(_slowest(one, observer.plant) for one in connections)
+    connections = _held(instance("observer", observer, InvariantObserver), times)
+    plant = observer.plant
+    slowest = max(_slowest(one, plant) for one in connections)
 
     def certified(rate: float) -> Convergence:
-        return _certified(connections, observer.plant, (rate, gamma or rate), near or {})
+        scale, share = gamma or rate, decay_share(rate, plant.time)
+
+        def posed(units: Coordinates) -> Posed:
+            x, t = units.states, units.seconds
+            inner = [
+                msgspec.structs.replace(
+                    one,
+                    S0=inward(one.S0, x, x, t),
+                    S1=inward(one.S1, x, units.values, t),
+                    J=inward(one.J, units.arguments, x),
+                )
+                for one in connections
+            ]
+            slopes = units.slopes(plant.slopes)
+            problem, identity = _theorem(inner, plant.time, slopes, scale * t), np.eye(len(x))
+            needed = decay_share(rate * t, plant.time)
+            problem.above("Xi for the decay", lambda v: v.Xi - needed * v.P, strict=False)
+            problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
+            if plant.time == "discrete":
+                problem.number("noise").above(
+                    "noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False
+                )
+            form = np.outer(x, x)
+            measured = {"P": form, "Xi": t * form, "W": t * form, "Gamma": form, "alpha": 1.0}
+            given = inward_all(near or {}, measured)
+            start = _start(inner, plant.time, slopes, (rate * t, scale * t), given)
+            return Posed(problem, measured, lambda v: v.bound + getattr(v, "noise", 0.0), start)
+
+        def audited(values: dict[str, Any], gap: float) -> Convergence:
+            # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
+            missing = share - least_ratio(values["P"], values["Xi"])
+            if missing > 0.0:
+                values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
+            margins = _theorem(connections, plant.time, plant.slopes, scale).check(values, printed=False)
+            if plant.time == "continuous":
+                values["gamma"] = scale
+            return Convergence.of(connections, plant, values, margins, gap)
+
+        units = balanced(
+            [one.S0 for one in connections],
+            driven=[one.S1 for one in connections],
+            inner=[one.J for one in connections],
+            slopes=plant.slopes,
+            rates=(rate, scale),
+            time=plant.time,
+        )
+        return search(units, posed, audited, lambda one: 0.5 * float(np.log(np.linalg.cond(one.values["P"]))))
 
     def required(rate: float) -> str:
-        unit = "1/step" if observer.plant.time == "discrete" else "1/s"
+        unit = "1/step" if plant.time == "discrete" else "1/s"
         return f"decay = {rate:g} {unit} and gamma = {gamma or rate:g}"
 
-    return at_decay(decay, slowest, observer.plant.time, certified, required)
+    return at_decay(decay, slowest, plant.time, certified, required)
 
 
 def certified_convergence(
@@ -155,27 +270,73 @@ def certified_convergence(
 ) -> Convergence:
     """The certificate that matrices from any source are, audited; constant matrices of the observer only.
 
-    Parameters: ``values`` P, Xi and gamma, and W where f matters, in discrete time P, Xi, Gamma and alpha.
     Raises CertificateError naming the equality or the inequality that fails.
     """
-    connections = [
-        observer.at(t) for t in moments("the observer" if observer.varying else "", None, "certified")
-    ]
-    for one in connections:
-        one.require_equalities()
+    connections = _held(observer, None)
     matrices = {name: one for name, one in values.items() if name != "gamma"}
     if observer.plant.time == "discrete":
         margins = theorem_3_3_2(observer).check(matrices, printed=False)
     else:
         margins = theorem_3_3_1(observer, gamma=values["gamma"]).check(matrices, printed=False)
-    return convergence(connections, observer.plant, dict(values), margins, gap)
+    return Convergence.of(connections, observer.plant, dict(values), margins, gap)
 
 
-def lipschitz(slopes: tuple[tuple[float, float], ...] | None, j: FloatArray) -> FloatArray:
-    """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)), from the slopes.
+def connections_of(
+    observer: Any, slopes: Any = None, times: Sequence[float] | None = None
+) -> tuple[list[Connection], Slopes]:
+    """The matrices at each time, of an observer or as printed, with the slopes of f; checked."""
+    if isinstance(observer, InvariantObserver):
+        varying = "the observer" if observer.varying else ""
+        connections = [observer.at(t) for t in moments(varying, times, "checked")]
+        plant = observer.plant
+        if slopes is None:
+            slopes = plant.slopes
+        elif any(one.S1.any() for one in connections):
+            f = nonlinearity(plant.f, plant.k, intervals(slopes, plant.k))
+            require_slopes(f, plant.k, plant.r, plant.domain)
+    elif isinstance(observer, Mapping):
+        connections = [_printed(observer)]
+    elif isinstance(observer, list) and observer and all(isinstance(one, Connection) for one in observer):
+        connections = observer
+    else:
+        raise ParameterError(
+            "a theorem of section 3.3 needs an InvariantObserver, or printed matrices {'S0': ..., 'S1': ..., "
+            f"'J': ...}}, received {observer!r:.80}",
+            field="observer",
+        )
+    k = connections[0].S1.shape[1]
+    return connections, intervals(slopes, k) if k and slopes is not None else slopes
 
-    Theorem 3.3.2 has gamma I, gamma the largest singular value of L: larger, and it depends on the units.
-    """
+
+def _printed(given: Mapping[str, Any]) -> Connection:
+    if "S0" not in given or set(given) - {"S0", "S1", "J"}:
+        raise ParameterError(
+            f"printed matrices are S0 and, where f matters, S1 and J, received {', '.join(map(str, given))}",
+            field="observer",
+        )
+    q = len(matrix("S0", given["S0"]))
+    s0, s1 = matrix("S0", given["S0"], q, q), column("S1", given.get("S1"), q)
+    j = row("J", given.get("J"), q)
+    if len(j) != s1.shape[1]:
+        raise ParameterError(
+            f"J has {len(j)} rows, needs {s1.shape[1]}, one for each column of S1", field="J"
+        )
+    none = np.zeros((q, 0))
+    return Connection(none, s0, s1, j, none, none, np.zeros((len(j), 0)), {}, True, none)
+
+
+def _held(observer: InvariantObserver, times: Sequence[float] | None) -> list[Connection]:
+    """The matrices that are certified; raises CertificateError for an equality that does not hold."""
+    connections = [
+        observer.at(t) for t in moments("the observer" if observer.varying else "", times, "certified")
+    ]
+    for one in connections:
+        one.require_equalities()
+    return connections
+
+
+def lipschitz(slopes: Slopes, j: FloatArray) -> FloatArray:
+    """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)); the gamma I of Theorem 3.3.2 is its norm, larger."""
     if slopes is None or not np.isfinite(np.array(slopes)).all():
         raise ParameterError(f"a certificate needs bounded slopes, received {slopes}")
     steepest = np.abs(np.array(slopes).reshape(-1, 2)).max(axis=1, initial=0.0)
@@ -195,23 +356,6 @@ def _require_lipschitz(gamma: float, slopes: Slopes, connections: list[Connectio
             )
 
 
-def symmetric(square: FloatArray) -> FloatArray:
-    """The symmetric part."""
-    return 0.5 * (square + square.T)
-
-
-def _product(one: Connection, f: FloatArray) -> Block:
-    return lambda v: v.P @ one.S1 - f
-
-
-def _sector(one: Connection, corner: FloatArray) -> Block:
-    return lambda v: v.W - symmetric(v.P @ one.S1 @ corner @ one.J)
-
-
-def _dissipation(one: Connection, gamma: float, sloped: bool) -> Block:
-    return lambda v: symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0)
-
-
 def _next(one: Connection, steepest: Any) -> Block:
     """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with the terms of the Lipschitz constant."""
     q, k = one.S1.shape
@@ -228,67 +372,10 @@ def _next(one: Connection, steepest: Any) -> Block:
     return block
 
 
-def _certified(
-    connections: list[Connection],
-    plant: Persidskii,
-    rates: tuple[float, float],
-    near: dict[str, Any],
-) -> Convergence:
-    """The certificate of the smaller overshoot for a decay and a gamma."""
-    decay, gamma = rates
-    share = decay_share(decay, plant.time)
-
-    def posed(units: Coordinates) -> Posed:
-        x, t = units.states, units.seconds
-        inner = [
-            msgspec.structs.replace(
-                one,
-                S0=inward(one.S0, x, x, t),
-                S1=inward(one.S1, x, units.values, t),
-                J=inward(one.J, units.arguments, x),
-            )
-            for one in connections
-        ]
-        slopes = units.slopes(plant.slopes)
-        problem, identity = _theorem(inner, plant.time, slopes, gamma * t), np.eye(len(x))
-        needed = decay_share(decay * t, plant.time)
-        problem.above("Xi for the decay", lambda v: v.Xi - needed * v.P, strict=False)
-        problem.number("bound").above("bound - P", lambda v: v.bound * identity - v.P, strict=False)
-        if plant.time == "discrete":
-            problem.number("noise").above(
-                "noise - Gamma", lambda v: v.noise * identity - v.Gamma, strict=False
-            )
-        form = np.outer(x, x)
-        measured = {"P": form, "Xi": t * form, "W": t * form, "Gamma": form, "alpha": 1.0}
-        given = inward_all(near, measured)
-        start = _start(inner, plant.time, slopes, (decay * t, gamma * t), given)
-        return Posed(problem, measured, lambda v: v.bound + getattr(v, "noise", 0.0), start)
-
-    def audited(values: dict[str, Any], gap: float) -> Convergence:
-        # Xi >= 2 decay P may fail by rounding; the theorem's own inequality has room for that.
-        missing = share - least_ratio(values["P"], values["Xi"])
-        if missing > 0.0:
-            values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
-        margins = _theorem(connections, plant.time, plant.slopes, gamma).check(values, printed=False)
-        if plant.time == "continuous":
-            values["gamma"] = gamma
-        return convergence(connections, plant, values, margins, gap)
-
-    units = balanced(
-        [one.S0 for one in connections],
-        driven=[one.S1 for one in connections],
-        inner=[one.J for one in connections],
-        slopes=plant.slopes,
-        rates=rates,
-        time=plant.time,
-    )
-    return search(units, posed, audited, lambda one: 0.5 * float(np.log(np.linalg.cond(one.values["P"]))))
-
-
 def _start(
     connections: list[Connection],
     time: str,
-    slopes: tuple[tuple[float, float], ...] | None,
+    slopes: Slopes,
     rates: tuple[float, float],
     given: dict[str, Any],
 ) -> dict[str, Any] | None:
@@ -325,7 +412,7 @@ def _start(
 def _theorem(
     connections: list[Connection],
     time: str,
-    slopes: tuple[tuple[float, float], ...] | None,
+    slopes: Slopes,
     gamma: float,
 ) -> MatrixInequalities:
     """The inequalities of the theorem."""

@@ -11,15 +11,18 @@ from numpy.typing import ArrayLike
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.interconnected.simulation import like, open_loop, walked
+from pointpred_observers.interconnected.realisation import MissingInputs
+from pointpred_observers.interconnected.simulation import alone, like
 from pointpred_observers.numerics.equalities import (
     NO_DIGIT,
     TOLERANCE,
+    cleared,
     column_units,
+    largest,
     or_one,
     share_of_terms,
+    summed,
     without_rounding,
 )
 from pointpred_observers.numerics.matrices import (
@@ -61,10 +64,7 @@ class Connection(msgspec.Struct, frozen=True):
     shares: dict[str, float] = {}
 
     def require_equalities(self) -> None:
-        """Raise CertificateError unless every equality holds to ``TOLERANCE``, however it was built.
-
-        Where one fails w = Z x is not invariant, and no decay of w bounds the error of the estimate.
-        """
+        """Raise CertificateError unless every equality holds to ``TOLERANCE``: w = Z x is invariant."""
         for name, share_left in self.shares.items():
             if not share_left <= TOLERANCE:
                 raise CertificateError(
@@ -125,10 +125,7 @@ class InvariantObserver(Observer):
         return np.asarray(self.at(t).Z @ np.asarray(x, np.float64))
 
     def recovery(self, t: float) -> tuple[FloatArray, FloatArray]:
-        """X, Y with x = X w + Y y on the invariant solution.
-
-        Raises ParameterError if w and y do not determine x, or y contains the nonlinearity.
-        """
+        """X, Y with x = X w + Y y on the invariant solution; raises ParameterError where there are none."""
         now, plant = self.at(t), self.plant.matrices(t)
         both = np.vstack([now.Z, plant["C0"]])
         if plant["C1"].any():
@@ -156,8 +153,7 @@ class InvariantObserver(Observer):
     def output_rate(self, t: float) -> tuple[FloatArray, FloatArray, FloatArray]:
         """V0, V1, V2 with y' = V0 w + V1 f(Hx) + V2 (y, u), in discrete time the next y, as the plant has it.
 
-        V0, V1 and V2 keep the outputs as they are if C0 varies in continuous time and its derivative is not
-        known.
+        Zero, so that outputs stay, if C0 varies in continuous time and its derivative is not known.
         """
         plant, now, discrete = self.plant, self.plant.matrices(t), self.plant.time == "discrete"
         onto, straight = self.recovery(t)
@@ -190,8 +186,8 @@ class InvariantObserver(Observer):
     def error_system(self) -> ErrorSystem:
         """(3.26): w^ - (Pi x + Upsilon y), disturbed by ``delta`` of the observer's equation and ``v`` of y.
 
-        Raises ParameterError where the matrices vary; CertificateError where w = Pi x + Upsilon y is not
-        invariant, so that its error obeys no such equation.
+        Raises ParameterError where matrices vary, CertificateError where w = Pi x + Upsilon y is not
+        invariant.
         """
         if self.varying:
             raise ParameterError("an error system needs constant matrices, those of the observer vary")
@@ -211,25 +207,10 @@ class InvariantObserver(Observer):
     def stage(self, *, start: ArrayLike | None = None, **settings: Any) -> PersidskiiStage:
         """Observer (3.17) or (3.19) as a stage: inputs are y, then u; it returns the plant's x.
 
-        Assumes C1 = 0 and that w and y determine x, as for a reduced-order observer. The measured part of the
-        output is the measurement with its noise, which also enters the rest through Upsilon. While an output
-        is missing it follows the plant's equation, y' = C0 x'; a missing u keeps its last value. Compiled for
-        constant matrices and an f that has a name; others run in numpy.
-
-        Parameters: ``start`` a guess of the plant's state, default zeros; ``step_s`` and ``gap_s`` as for
-        ``PersidskiiStage``. Raises ParameterError.
-
-        Reference: Khalin 2022, (3.17), (3.19), (3.29).
-
-        >>> from pointpred_observers import Persidskii
-        >>> plant = Persidskii([[0.0, 1.0], [0.0, 0.0]], None, None, "sin", C0=[1.0, 0.0])
-        >>> stage = InvariantObserver(plant, [[0.0, 1.0]], [[-20.0]]).stage(step_s=0.01)
-        >>> for i in range(100):
-        ...     state = stage.update(i / 100, [0.3 * i / 100])
-        >>> state.round(6).tolist()
-        [0.297, 0.3]
-        >>> stage.update(1.5, None).round(4).tolist()  # half a second later, without a measurement
-        [0.45, 0.3]
+        Assumes C1 = 0 and that w and y determine x. The measured part of the output is the measurement with
+        its noise, which also enters the rest through Upsilon. While an output is missing it follows y' = C0
+        x'; a missing u keeps its last value. ``start`` a guess of the plant's state, default zeros; the
+        rest as ``PersidskiiStage``.
         """
         plant, now = self.plant, self.at(0.0)
         m, inputs = plant.p + plant.m + plant.z, plant.m + plant.z
@@ -277,12 +258,7 @@ class InvariantObserver(Observer):
         self, plant: Any, setting: Setting, title: str = "observer", bound: FloatArray | None = None
     ) -> Simulation:
         """The plant that nothing feeds back."""
-        one = like(plant, self.plant)
-        times = setting.samples(one.time == "discrete")
-        stage = self.stage(start=setting.begin(one.n, "estimate", 0.0))
-        state, inputs, outputs = open_loop(one, setting, times)
-        answers = walked(stage, times, outputs, inputs)
-        return Simulation.of(one, times, state, answers, outputs, inputs, title, bound=bound)
+        return alone(like(plant, self.plant), self, setting, title, bound)
 
     def document(self) -> InvariantDocument:
         """Plant and maps, which must not vary."""
@@ -314,10 +290,7 @@ class InvariantObserver(Observer):
         given = _at(self._given["Upsilon"], t)
         upsilon = np.zeros((self.q, self.plant.p)) if _empty(given) else given
         upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
-        z = without_rounding(
-            pi + upsilon @ now["C0"], np.abs(pi) + np.abs(upsilon) @ np.abs(now["C0"]), share=NO_DIGIT
-        )
-        return now, pi, upsilon, z
+        return now, pi, upsilon, cleared((pi,), (upsilon, now["C0"]), share=NO_DIGIT)
 
     def _connection(self, t: float) -> Connection:
         with np.errstate(all="ignore"):  # what overflows is not finite, and refused
@@ -330,44 +303,44 @@ class InvariantObserver(Observer):
         change = onward @ now["A0"]
         if not discrete:
             change = change + self._rate(t, now, upsilon)
-        given = self._given["B"]
+        given, both = self._given["B"], np.vstack([z, now["C0"]])
         if given is None:
-            both = _right(np.vstack([z, now["C0"]]), change)
-            s0, b = both[:, : self.q], both[:, self.q :]
+            s0, b = np.split(_right(both, change), [self.q], axis=1)
         else:
             b = matrix("B", _at(given, t), self.q, self.plant.p)
             s0 = _right(z, change - b @ now["C0"])
-        sizes = np.abs(onward) @ np.abs(now["A1"]) + np.abs(b) @ np.abs(now["C1"])
-        s1 = without_rounding(onward @ now["A1"] - b @ now["C1"], sizes, share=NO_DIGIT)
-        stacked = np.vstack([z, now["C0"]]) if self.injection else z
-        jr = _right(stacked, now["H"])
+        s1 = cleared((onward, now["A1"]), (-b, now["C1"]), share=NO_DIGIT)
+        jr = _right(both if self.injection else z, now["H"])
         j, r = jr[:, : self.q], jr[:, self.q :] if self.injection else np.zeros((len(jr), self.plant.p))
-        left = {
-            "Upsilon C1": upsilon @ now["C1"],
-            "J (Pi + Upsilon C0) - H": j @ z + r @ now["C0"] - now["H"] if s1.any() else np.zeros(0),
-            "S0 Z + B C0 - Z A0 - Z'": s0 @ z + b @ now["C0"] - change,
-            "R C1": r @ now["C1"],
-        }
         # A large gain makes large terms, which round by a share of their own size.
-        terms = np.abs(s0) @ np.abs(z) + np.abs(b) @ np.abs(now["C0"]) + np.abs(onward) @ np.abs(now["A0"])
-        largest = (float(np.abs(m).max(initial=0.0)) for m in (terms, *now.values()))
-        size = max(1.0, *largest)
-        residuals = {name: float(np.abs(one).max(initial=0.0)) for name, one in left.items()}
-        _demand(residuals, self.tolerance, size, t)
-        # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
-        units = column_units(np.vstack([z, now["C0"]]))
-        name = "S0 Z + B C0 - Z A0 - Z'"
-        shares = {
-            "Upsilon C1": _share_before_f(upsilon, now["C0"], now["C1"]),
-            name: share_of_terms(left[name], terms + np.abs(change), units),
-            "R C1": _share_before_f(r, now["C0"], now["C1"]),
+        terms = summed((s0, z), (b, now["C0"]), (onward, now["A0"]))[1]
+        invariance = s0 @ z + b @ now["C0"] - change
+        none = np.zeros(0), np.zeros(0)
+        left = {
+            "Upsilon C1": summed((upsilon, now["C1"])),
+            "J (Pi + Upsilon C0) - H": summed((j, z), (r, now["C0"]), (-now["H"],)) if s1.any() else none,
+            "S0 Z + B C0 - Z A0 - Z'": (invariance, terms + np.abs(change)),
+            "R C1": summed((r, now["C1"])),
         }
-        if s1.any():
-            name = "J (Pi + Upsilon C0) - H"
-            inner = np.abs(j) @ np.abs(z) + np.abs(r) @ np.abs(now["C0"]) + np.abs(now["H"])
-            shares[name] = share_of_terms(left[name], inner, units)
-        rank = np.linalg.matrix_rank(np.vstack([z, now["C0"]]))
-        free = given is None and rank < self.q + self.plant.p
+        size = max(1.0, *(float(np.abs(m).max(initial=0.0)) for m in (terms, *now.values())))
+        residuals = largest(left)
+        if not np.isfinite([size, *residuals.values()]).all():
+            raise ParameterError(
+                f"the equalities hold numbers that are too large to compute with at t = {t:g}: check the "
+                "largest entries of the plant, of Pi, Upsilon and B"
+            )
+        for name, residual in residuals.items():
+            if residual > self.tolerance * size:
+                raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
+        # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
+        units, before_f = column_units(both), {"Upsilon C1": upsilon, "R C1": r}
+        shares = {
+            name: _share_before_f(before_f[name], now["C0"], now["C1"])
+            if name in before_f
+            else share_of_terms(*one, units)
+            for name, one in left.items()
+        }
+        free = given is None and np.linalg.matrix_rank(both) < self.q + self.plant.p
         inputs = onward @ np.hstack([now["B"], now["Q"]])
         return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward, shares)
 
@@ -471,45 +444,23 @@ def _at(given: Given, t: float) -> Any:
 
 
 def _right(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The least-squares solution of X a = b, of least norm after the rows and columns of a are scaled to 1.
-
-    The scale keeps a combination of states in small units from counting as rounding. What is rounding is 0.
-    """
+    """The least-squares X of X a = b, of least norm in units of rows and columns; rounding is 0."""
     if not a.size:
         return np.zeros((len(b), len(a)))
-    columns = np.abs(a).max(axis=0)
-    columns[columns == 0.0] = 1.0
-    rows = np.abs(a / columns).max(axis=1)
-    rows[rows == 0.0] = 1.0
+    columns = or_one(np.abs(a).max(axis=0))
+    rows = or_one(np.abs(a / columns).max(axis=1))
     scaled = a / columns / rows[:, None]
     right = b / columns
-    solution = np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T
+    solution = np.asarray(np.linalg.lstsq(scaled.T, right.T, rcond=None)[0].T, np.float64)
     inverse = np.asarray(np.linalg.pinv(scaled), np.float64)
     answer: FloatArray = without_rounding(solution, np.abs(right) @ np.abs(inverse), share=NO_DIGIT) / rows
     return answer
 
 
 def _share_before_f(gain: FloatArray, c0: FloatArray, c1: FloatArray) -> float:
-    """How much of f a gain of the outputs lets through, as a share of what it would without cancelling.
-
-    An entry of the gain that is rounding beside its row, with each output in a unit of its own, stands for 0.
-    """
-    outputs = or_one(
-        np.maximum(
-            (np.abs(c0) / column_units(c0)).max(axis=1, initial=0.0), np.abs(c1).max(axis=1, initial=0.0)
-        )
-    )
-    largest = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]
-    rounding = NO_DIGIT * largest * (np.abs(c1) / outputs[:, None]).max(axis=0, initial=0.0)
-    return share_of_terms(gain @ c1, np.abs(gain) @ np.abs(c1), rounding=rounding)
-
-
-def _demand(residuals: dict[str, float], tolerance: float, size: float, t: float) -> None:
-    if not (np.isfinite(size) and np.isfinite(list(residuals.values())).all()):
-        raise ParameterError(
-            f"the equalities hold numbers that are too large to compute with at t = {t:g}: check the largest "
-            "entries of the plant, of Pi, Upsilon and B"
-        )
-    for name, residual in residuals.items():
-        if residual > tolerance * size:
-            raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
+    """How much of f a gain of the outputs lets through, as a share of what it would without cancelling."""
+    both = np.hstack([np.abs(c0) / column_units(c0), np.abs(c1)])
+    outputs = or_one(both.max(axis=1, initial=0.0))
+    most = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]
+    rounding = NO_DIGIT * most * (np.abs(c1) / outputs[:, None]).max(axis=0, initial=0.0)
+    return share_of_terms(*summed((gain, c1)), rounding=rounding)

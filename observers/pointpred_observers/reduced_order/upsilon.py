@@ -10,12 +10,14 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.numerics.equalities import NO_DIGIT, without_rounding
+from pointpred_observers.interconnected.interconnection import symmetric
+from pointpred_observers.numerics.balance import Coordinates, inward
+from pointpred_observers.numerics.equalities import NO_DIGIT, cleared, without_rounding
 from pointpred_observers.numerics.matrices import matrix
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.stationary import cover, filter_start, middle
-from pointpred_observers.reduced_order.reversed_certificate import lipschitz, symmetric
+from pointpred_observers.reduced_order.reversed_certificate import lipschitz
 
 
 class Split(msgspec.Struct, frozen=True):
@@ -32,17 +34,21 @@ class Split(msgspec.Struct, frozen=True):
     inner: FloatArray
     outer: FloatArray
 
+    def inward(self, units: Coordinates) -> Split:
+        """The same in these units; ``outer`` stays."""
+        x, y, f, t = units.states, units.outputs, units.values, units.seconds
+        return Split(
+            inward(self.drift, x, x, t),
+            inward(self.seen, y, x),
+            inward(self.driven, x, f, t),
+            inward(self.shown, y, f),
+            inward(self.inner, units.arguments, x),
+            self.outer,
+        )
+
 
 def split(plant: Persidskii, Pi: Any) -> Split:
-    """The plant with its measured combinations as coordinates; raises ParameterError if that is impossible.
-
-    >>> plant = Persidskii([[0.0, 1.0], [-3.0, -1.0]], None, None, "sin", C0=[1.0, 0.0])
-    >>> one = split(plant, [[0.0, 1.0]])
-    >>> one.drift.tolist(), one.seen.tolist()
-    ([[-1.0]], [[1.0]])
-    """
-    if plant.varying:
-        raise ParameterError(f"a design needs constant matrices; {', '.join(plant.varying)} vary")
+    """The plant with its outputs as coordinates; raises ParameterError where that is impossible."""
     if plant.C1.any():
         raise ParameterError("a reduced-order design needs y = C0 x, received C1 other than 0")
     q = plant.n - plant.p
@@ -59,21 +65,18 @@ def split(plant: Persidskii, Pi: Any) -> Split:
     inverse = without_rounding(inverse, np.abs(inverse) @ np.abs(both) @ np.abs(inverse), share=NO_DIGIT)
     hidden, measured = inverse[:, :q], inverse[:, q:]
     return Split(
-        _product(pi, plant.A0, hidden),
-        _product(plant.C0, plant.A0, hidden),
-        _product(pi, plant.A1),
-        _product(plant.C0, plant.A1),
-        _product(plant.H, hidden),
-        _product(plant.H, measured),
+        *(
+            cleared(factors, share=NO_DIGIT)
+            for factors in (
+                (pi, plant.A0, hidden),
+                (plant.C0, plant.A0, hidden),
+                (pi, plant.A1),
+                (plant.C0, plant.A1),
+                (plant.H, hidden),
+                (plant.H, measured),
+            )
+        )
     )
-
-
-def _product(*factors: FloatArray) -> FloatArray:
-    """The product of matrices without the entries that are only its rounding."""
-    whole, sizes = factors[0], np.abs(factors[0])
-    for one in factors[1:]:
-        whole, sizes = whole @ one, sizes @ np.abs(one)
-    return without_rounding(whole, sizes, share=NO_DIGIT)
 
 
 class InjectionSearch(msgspec.Struct, frozen=True):

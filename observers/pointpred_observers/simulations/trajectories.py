@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import accumulate
 from math import floor
 from typing import Any
 
@@ -79,7 +80,8 @@ def trajectory(
     x0 = matrix("start", start, 1)[0]
     with np.errstate(over="ignore", invalid="ignore"):
         if time == "discrete":
-            states = np.array(_onward(field, x0, t))
+            each = accumulate(t[:-1], lambda x, k: np.asarray(field(k, x), np.float64), initial=x0)
+            states = np.array(list(each))
         elif len(t) == 1:
             states = np.array([x0])
         else:
@@ -88,13 +90,6 @@ def trajectory(
     known = np.isfinite(states).all(axis=1)
     if not known.all():
         raise DivergenceError(f"the trajectory leaves every bound before t = {t[int(known.argmin())]:g}")
-    return states
-
-
-def _onward(field: Field, x: FloatArray, t: FloatArray) -> list[FloatArray]:
-    states = [x]
-    for k in t[:-1]:
-        states.append(np.asarray(field(k, states[-1]), np.float64))
     return states
 
 

@@ -18,13 +18,14 @@ from numpy.typing import ArrayLike
 from pointpred.errors import DivergenceError, EventError, ParameterError
 from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
-from pointpred_observers.interconnected.missing_inputs import MissingInputs
 from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
+from pointpred_observers.interconnected.realisation import MissingInputs
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import perron_root, require_detectable
 from pointpred_observers.numerics.matrices import instance, matrix, positive
 from pointpred_observers.observer import Observer
+from pointpred_observers.plants.documents import SteadyStateDocument
 from pointpred_observers.plants.entries import (
     Document,
     Functions,
@@ -37,7 +38,6 @@ from pointpred_observers.plants.entries import (
 from pointpred_observers.plants.expressions import parsed
 from pointpred_observers.plants.polynomials import symbolic
 from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred_observers.plants.symbolic_documents import SteadyStateDocument
 from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
 from pointpred_observers.proofs.definite import solved
 from pointpred_observers.proofs.error_system import ErrorSystem
