@@ -201,7 +201,7 @@ def _draw_panel(ax: Any, panel: Panel) -> None:
     ax.grid(visible=True)
     if panel.logarithmic:
         ax.set_yscale("log")
-        # Powers would be drawn as formulas, which the style leaves out; within two decades 2 and 5 stand, too.
+        # Powers would be drawn as formulas, which the style leaves out; in two decades 2 and 5 stand, too.
         low, high = ax.get_ylim()
         ax.yaxis.set_major_formatter("{x:g}")
         ax.yaxis.set_minor_formatter("")

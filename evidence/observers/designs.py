@@ -345,6 +345,18 @@ def cell(door: str, kind: str) -> tuple[Counter[str], list[bool]]:
     return counts, close
 
 
+SHOWN = {
+    "`design_observer`": "`driven`",
+    "`design_observer`, discrete": "`driven`, discrete",
+    "`design_reduced_order`, linear": "`reduced`, linear",
+    "`design_reduced_order`, `injection=True`": "`reduced`",
+    "`design_reduced_order`, discrete": "`reduced`, discrete",
+    "`UnknownInputObserver.design`": "`unknown-input`",
+    "`certify_interlaced`": "`interlaced`",
+}
+"""The kinds of the doors, whose own names the seeds of their problems are made from."""
+
+
 def doors(measured: list[str]) -> dict[str, Table]:
     """A row a door: designed / refused / undecided of each kind, in problems; rows not measured stay."""
     old = stored("observers", "designs").tables.get("doors")
@@ -353,11 +365,12 @@ def doors(measured: list[str]) -> dict[str, Table]:
     with ProcessPoolExecutor() as pool:
         results = dict(zip(places, pool.map(cell, *zip(*places, strict=True)), strict=True))
     for door in measured:
+        shown = SHOWN.get(door, door)
         cells = [" / ".join(str(results[door, kind][0][name]) for name in OUTCOMES) for kind in KINDS]
         close = [one for kind in KINDS for one in results[door, kind][1]]
-        rows[door] = [door, *cells, f"{np.mean(close):.0%}" if close else "-"]
-        print(" | ".join(rows[door]), flush=True)
-    listed = [rows[door] for door in DOORS if door in rows]
+        rows[shown] = [shown, *cells, f"{np.mean(close):.0%}" if close else "-"]
+        print(" | ".join(rows[shown]), flush=True)
+    listed = [rows[one] for one in (SHOWN.get(door, door) for door in DOORS) if one in rows]
     counts = np.array([[one.split(" / ") for one in row[1:-1]] for row in listed], int).sum(axis=(0, 1))
     shares = dict(zip(OUTCOMES, (counts / counts.sum()).tolist(), strict=True))
     numbers = {"problems": int(counts.sum()), "count": COUNT, **shares}

@@ -110,6 +110,8 @@ def _fitting(plant: Any, options: dict[str, Any]) -> str:
         return "interlaced"
     if options.get("generator") is not None:
         return "driven"
+    if not (plant.C0.any() or plant.C1.any()):
+        raise ParameterError("an observer needs an output: give the plant C0 or C1", field="C0")
     independent = plant.p == np.linalg.matrix_rank(plant.C0)
     return "reduced" if independent and plant.p < plant.n and not plant.C1.any() else "full"
 

@@ -290,7 +290,7 @@ def test_an_observable_plant_is_never_refused_for_every_p(door: Any, decay: floa
 def test_an_equality_that_only_rounding_violates_is_undecided() -> None:
     plant = Persidskii(MOTOR.A0, [0.0, -2.0, 0.0], [1.0, 0.0, 0.0], "sin", C0=[1.0, 0.0, 0.0])
     with pytest.raises(UndecidedError, match=r"too large for the arithmetic"):
-        ReducedOrderObserver.design(plant, decay=1e8)
+        ReducedOrderObserver.design(plant, decay=1e9)
 
 
 def test_a_design_that_fails_its_own_audit_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -340,3 +340,21 @@ def test_a_design_whose_gains_round_too_far_is_searched_again() -> None:
         assert audit(design)
         assert decoded(encoded(design)) is not None
     assert np.inf in gaps
+
+
+def test_the_rounding_of_large_terms_off_the_diagonal_is_no_proof() -> None:
+    """A0 - M C0 is exactly ((-.001, 1), (-2, -.001)): P S0 - U C0 loses the 1 and the 2 to 2^53."""
+    s, m, p = [[-1e-3, 1.0], [2.0**53 - 2.0, -1e-3]], [[0.0], [2.0**53]], np.diag([1.0, 0.7481628719198741])
+    plant = o.Persidskii(s, C0=[1.0, 0.0])
+    values = {"P": p, "Theta": 1e-3 * p, "Gamma": np.array([[2.0**106 * 1e6]]), "Xi": 1e6 * np.eye(2)}
+    with pytest.raises(CertificateError, match="of its terms: that may be rounding"):
+        interconnected.certified_design(plant, o.Generator(s), np.eye(2), m, values)
+
+
+def test_a_fast_discrete_observer_is_not_refused_for_every_p() -> None:
+    plant = o.Persidskii([[0.9]], C0=[[1.0]], time="discrete")
+    assert o.design(plant, "full", decay=10.0).bound.decay >= 10.0
+    with pytest.raises(UndecidedError):
+        o.design(plant, "full", decay=12.0, gain=[[0.9]])
+    with pytest.raises(ParameterError, match="decay must be at most 12 in discrete time, received 20"):
+        o.design(plant, "full", decay=20.0)

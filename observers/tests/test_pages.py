@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import doctest
 import re
-import tomllib
 from importlib import import_module
 from pathlib import Path
 
@@ -51,14 +50,6 @@ def test_a_page_shows_its_figures_and_their_command(name: str) -> None:
 def test_every_page_can_be_reached_from_the_index() -> None:
     index = (FOLDER.parent / "README.md").read_text(encoding="utf-8")
     assert {page.name for page in PAGES if f"](docs/{page.name})" not in index} == {"README.md"}
-
-
-def version(file: Path) -> str:
-    return str(tomllib.loads(file.read_text(encoding="utf-8"))["project"]["version"])
-
-
-def test_it_has_the_version_of_the_library() -> None:
-    assert version(FOLDER.parent / "pyproject.toml") == version(FOLDER.parents[1] / "pyproject.toml")
 
 
 @pytest.mark.parametrize(

@@ -250,3 +250,16 @@ def test_the_overshoot_of_a_cart_with_a_pole(mass: float, length: float, frictio
     s0 = design.observer.at(0.0).S0
     true = max(np.linalg.norm(expm(s0 * t) * np.exp(2.0 * t), 2) for t in np.linspace(0.0, 5.0, 200))
     assert design.certificate.bound.overshoot < 3.0 * true
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced"])
+@pytest.mark.parametrize("coupling", [1e-12, 1e-9, 1e-7, 1e-6, 1e-3])
+def test_a_weak_coupling_seen_by_one_output_leaves_the_design_as_it_is(kind: str, coupling: float) -> None:
+    """Units that are balanced for it would show one of the oscillators by 1e-7 only."""
+    a = np.zeros((4, 4))
+    a[:2, :2], a[2:, 2:] = [[0.0, 1.0], [-1.0, 0.0]], [[0.0, 3.0], [-3.0, 0.0]]
+    alone = o.design(o.Persidskii(a, C0=[1.0, 1.0, 1.0, 1.0]), kind, decay=0.2).bound
+    a[:2, 2:] = coupling
+    bound = o.design(o.Persidskii(a, C0=[1.0, 1.0, 1.0, 1.0]), kind, decay=0.2).bound
+    assert bound.overshoot < 2.0 * alone.overshoot
+    assert max(bound.gains) < 2.0 * max(alone.gains)

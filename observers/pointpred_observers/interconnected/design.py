@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import msgspec
 import numpy as np
 
-from pointpred.errors import CertificateError, InfeasibleError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.interconnected.interconnection import Interconnection, theorem_3_2_1
@@ -48,10 +48,13 @@ from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues,
 from pointpred_observers.proofs.definite import solved
 from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import Posed, search
+from pointpred_observers.proofs.search import WORSE, Posed, search
 from pointpred_observers.proofs.stationary import cover, filter_start, middle
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, run, sampled
+
+DECAY_MOST = 12.0
+"""Of a discrete observer, 1/step."""
 
 
 class DrivenObserver(Observer, msgspec.Struct, frozen=True):
@@ -269,12 +272,20 @@ def driven(
 ) -> DrivenObserver:
     """The gain M of observer (3.5) for the generator's state, with its certificate; see ``DrivenObserver``.
 
-    Minimises a common bound of Gamma and Xi with Theta = I + c P, c = 2 ``decay``, in balanced units; the
-    size of the gain is not minimised. ``gain`` M (q, p) to certify instead of computing one.
+    Minimises a common bound of Gamma and Xi with Theta = I + c P, c = 2 ``decay``, in balanced units (in
+    discrete time Theta = s I + (1 - s) P, s = exp(-2 ``decay``)); the size of the gain is not minimised.
+    ``gain`` M (q, p) to certify instead of computing one.
     """
     decay = positive("decay", decay, zero=True)
     connection = Interconnection(plant, generator, Pi)
     plant = connection.plant
+    if plant.time == "discrete" and decay > DECAY_MOST:
+        raise ParameterError(
+            f"decay must be at most {DECAY_MOST:g} in discrete time, received {decay:g}: what is left of an "
+            "error after a step is then less than rounding",
+            field="decay",
+            value=decay,
+        )
     copy = np.array_equal(connection.pi, np.eye(plant.n)) and np.array_equal(connection.g.S0, plant.A0)
     for name, d in connection.corners.items():
         pair = "(A0 + A1 D H, C0 + C1 D H)" if copy else "(S0 + S1 D J, C0 Pi + C1 D J)"
@@ -293,9 +304,12 @@ def driven(
 
     def posed(units: Coordinates) -> Posed:
         x, y, t = units.states, units.outputs, units.seconds
-        c = 2.0 * decay * t if plant.time == "continuous" else 1.0 - float(np.exp(-2.0 * decay))
+        # In discrete time the next V is at most (1 - c) V: what is spare beside it is measured in its size.
+        discrete = plant.time == "discrete"
+        spare = float(np.exp(-2.0 * decay)) if discrete else 1.0
+        c = 1.0 - spare if discrete else 2.0 * decay * t
         fixed: dict[str, Any] = {
-            "Theta": lambda v: np.eye(q) + c * v.P,
+            "Theta": lambda v: spare * np.eye(q) + c * v.P,
             "Gamma": lambda v: v.bound * np.eye(p),
             "Xi": lambda v: v.bound * np.eye(q),
         }
@@ -316,7 +330,7 @@ def driven(
             "U": t * np.outer(x, y),
             "W": t * form,
         }
-        near = _start(inner, c) if fixed_gain is None else None
+        near = _start(inner, decay if discrete else 0.5 * c, spare) if fixed_gain is None else None
         return Posed(inner.state(problem, **fixed), measured, lambda v: v.bound, near, fixed)
 
     def audited(values: dict[str, Any], gap: float) -> DrivenObserver:
@@ -331,7 +345,10 @@ def driven(
             again = driven(plant, generator, Pi, gain=m, decay=decay)
             return msgspec.structs.replace(again, gap=np.inf)
 
-    return search(connection.units(decay), posed, audited)
+    def size(found: DrivenObserver) -> float:
+        return float(np.log(max(found.bound.gains)))
+
+    return search(connection.units(decay), posed, audited, size, WORSE)
 
 
 def certified_design(
@@ -381,27 +398,26 @@ def require_map(plant: Persidskii, generator: Generator, Pi: FloatArray) -> None
     )
 
 
-def _start(connection: Interconnection, c: float) -> dict[str, Any] | None:
-    """The matrices of the stationary filter at the middle of the slopes, with room for Theta = I + c P."""
+def _start(connection: Interconnection, decay: float, spare: float) -> dict[str, Any] | None:
+    """The matrices of the stationary filter at the middle of the slopes, with room for Theta."""
     g, discrete = connection.g, connection.plant.time == "discrete"
     slope = middle(connection.slopes) @ connection.j if connection.sloped else None
     a = g.S0 if slope is None else g.S0 + g.S1 @ slope
     output = connection.output if slope is None else connection.output + connection.shown @ slope
-    rate = -0.5 * float(np.log1p(-c)) if discrete else 0.5 * c
-    start = filter_start(a, output, 1.01 * rate + 0.01, connection.plant.time)
+    start = filter_start(a, output, 1.01 * decay + 0.01, connection.plant.time)
     if start is None:
         return None
     p, u = start
     if discrete:
         onward = p @ a - u @ output
-        rest = (1.0 - c) * p - onward.T @ np.linalg.solve(p, onward)
+        rest = spare * p - onward.T @ np.linalg.solve(p, onward)
         w = None
     else:
         w = cover(p @ g.S1 - u @ connection.shown, connection.j, connection.slopes)
         upper = p @ g.S0 - u @ connection.output + w
-        rest = -(upper + upper.T + c * p)
+        rest = -(upper + upper.T + 2.0 * decay * p)
     room = float(np.linalg.eigvalsh(0.5 * (rest + rest.T))[0])
-    scale = max(1.0, 2.0 / room) if room > 0.0 else 1.0
+    scale = max(1.0, 2.0 * spare / room) if room > 0.0 else 1.0
     values: dict[str, Any] = {"P": scale * p, "U": scale * u, "bound": 1.0}
     if connection.sloped and w is not None:
         values["W"] = scale * w

@@ -18,8 +18,8 @@ SINGULAR = 1e-9
 """A singular value below this, relative to the matrices, counts as zero."""
 COMPONENTS_MOST = 8
 
-BESIDE = 1e-5
-"""An eigenvalue within this of another, or of the imaginary axis, relative to the matrix, counts as there."""
+EPS, ROUNDINGS = float(np.finfo(np.float64).eps), 1e3
+"""An eigenvalue counts as on the axis within so many roundings of the matrix, times its condition."""
 
 
 def require_decay(corners: Iterable[tuple[str, FloatArray]], time: str, what: str) -> float:
@@ -44,17 +44,23 @@ def require_decay(corners: Iterable[tuple[str, FloatArray]], time: str, what: st
 
 def unsettled(a: FloatArray, time: str = "continuous") -> list[tuple[complex, str]]:
     """The eigenvalues with which w' = a w is not neutrally stable, each with what its motion does."""
-    size = float(np.linalg.norm(a, 2)) or 1.0
-    values = np.linalg.eigvals(a).astype(np.complex128)
+    from scipy.linalg import eig, matrix_balance
+
+    even = np.asarray(matrix_balance(a, permute=False)[0], np.float64)
+    size = float(np.linalg.norm(even, 2)) or 1.0
+    found: Any = eig(even, left=True, right=True)
+    values, left, right = found
+    # Rounding moves an eigenvalue by its condition number: a defective one by a root of its digits.
+    condition = 1.0 / np.maximum(np.abs((left.conj() * right).sum(axis=0)), np.sqrt(EPS))
+    blur = ROUNDINGS * EPS * size * condition
     listed = []
-    for one in values:
+    for one, near in zip(values.astype(np.complex128), blur, strict=True):
         growth = abs(one) - 1.0 if time == "discrete" else one.real
-        pencil = (one * np.eye(len(a)) - a) / size
-        alike = int((np.abs(values - one) <= BESIDE * size).sum())
-        # A defective eigenvalue is computed to a root of its digits only.
-        if abs(growth) > BESIDE * size:
+        alike = int((np.abs(values - one) <= near + blur).sum())
+        pencil = one * np.eye(len(even)) - even
+        if abs(growth) > near:
             motion = f"a motion of the eigenvalue {{}} {'grows' if growth > 0.0 else 'decays'}"
-        elif len(a) - np.linalg.matrix_rank(pencil, tol=BESIDE) < alike:
+        elif len(even) - np.linalg.matrix_rank(pencil, tol=10.0 * near) < alike:
             motion = "the eigenvalue {} is multiple, and a motion of it grows with t"
         else:
             continue
@@ -93,17 +99,24 @@ def hidden(A: Any, C: Any, time: str, *, staying: bool = False) -> list[complex]
     a = matrix("A", A, len(matrix("A", A)), len(matrix("A", A)))
     c = matrix("C", C, None, len(a))
     units = balanced(a, seen=c, time=time)
-    a, c = inward(a, units.states, units.states), inward(c, units.outputs, units.states)
-    size = float(np.linalg.norm(a, 2)) or 1.0
-    c = c / ((float(np.linalg.norm(c, 2)) if c.size else 0.0) or 1.0)
+    # Balanced units may show a weakly coupled part faintly, and those of the user another.
+    pairs = [(a, c), (inward(a, units.states, units.states), inward(c, units.outputs, units.states))]
     modes = []
-    for one in np.linalg.eigvals(a).astype(np.complex128):
+    size = float(np.linalg.norm(pairs[1][0], 2)) or 1.0
+    for one in np.linalg.eigvals(pairs[1][0]).astype(np.complex128):
         stays = abs(one) >= 1.0 - SINGULAR if time == "discrete" else one.real >= -SINGULAR * size
-        pencil = np.vstack([(one * np.eye(len(a)) - a) / size, c])
-        # Repeated eigenvalues are computed to half their digits only.
-        if (stays or not staying) and np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2:
+        if (stays or not staying) and all(_lost(one, *pair) for pair in pairs):
             modes.append(complex(one))
     return modes
+
+
+def _lost(value: complex, a: FloatArray, c: FloatArray) -> bool:
+    """Whether (s I - A; C) loses rank at an eigenvalue, with A and C scaled to 1."""
+    size = float(np.linalg.norm(a, 2)) or 1.0
+    seen = (float(np.linalg.norm(c, 2)) if c.size else 0.0) or 1.0
+    pencil = np.vstack([(value * np.eye(len(a)) - a) / size, c / seen])
+    # Repeated eigenvalues are computed to half their digits only.
+    return bool(np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2)
 
 
 def require_detectable(a: FloatArray, c: FloatArray, time: str, pair: str) -> None:

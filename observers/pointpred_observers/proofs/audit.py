@@ -134,9 +134,15 @@ class Inequalities:
         return margins
 
     def _least(self, name: str, block: Block, numbers: FloatArray) -> tuple[float, float]:
-        """The least eigenvalue of minus a block, and that in the units of its terms."""
-        sizes = self.unknowns.sizes(name, block, numbers)
-        return least(-self.unknowns.value(name, block, numbers), sizes)
+        """The least eigenvalue of minus a block, and that in the units of its terms.
+
+        Entries off the diagonal may be small differences of larger terms, whose rounding counts as well.
+        """
+        terms = self.unknowns.sizes(name, block, numbers)
+        sizes = np.diag(terms)
+        value, relative = least(-self.unknowns.value(name, block, numbers), sizes)
+        d = 1.0 / np.sqrt(np.where(sizes > 0.0, sizes, 1.0))
+        return value, relative / max(1.0, float(np.linalg.norm(terms * d * d[:, None], 2)))
 
     def _holds(
         self, name: str, margin: float, values: Mapping[str, Any], *, edge: float | None = None

@@ -21,6 +21,8 @@ from pointpred_observers.proofs.unknowns import Block
 T = TypeVar("T")
 Units = Mapping[str, Any]
 """What each matrix of the posed problem is divided by to be in the user's units."""
+WORSE = float(np.log(10.0))
+"""A design of balanced units is given up where one of the user's is smaller by this much."""
 LITTLE = 0.1
 """The logarithm by which a size must be smaller in the user's units than in balanced ones to be taken."""
 SHARES = (0.6, 0.4, 0.2, 0.05, 1e-2, 1e-3, 1e-4)
@@ -44,7 +46,8 @@ def search(
     units: Coordinates,
     posed: Callable[[Coordinates], Posed],
     audited: Callable[[dict[str, Any], float], T],
-    size: Callable[[T], float] | None = None,
+    size: Callable[[T], Any] | None = None,
+    little: float = LITTLE,
 ) -> T:
     """What ``audited`` makes of the matrices that are found, in the user's units, and of their gap.
 
@@ -66,16 +69,20 @@ def search(
                 "proves nothing: require less decay, or measure more states"
             ) from failure
 
-    return least_in_both(units, attempt, size)
+    return least_in_both(units, attempt, size, little)
 
 
 def least_in_both(
-    units: Coordinates, attempt: Callable[[Coordinates], T], size: Callable[[T], float] | None = None
+    units: Coordinates,
+    attempt: Callable[[Coordinates], T],
+    size: Callable[[T], Any] | None = None,
+    little: float = LITTLE,
 ) -> T:
     """What ``attempt`` finds in balanced units, or in the user's where that is smaller by more than a little.
 
-    ``size`` is a logarithm; without it the user's units are tried only where the balanced ones fail. Raises
-    what ``attempt`` raised in balanced units where both fail.
+    ``size`` is a logarithm, or several, all of which must be smaller by ``little``; without it the user's
+    units are tried only where the balanced ones fail. Where both fail it raises what ``attempt`` raised in
+    balanced units, InfeasibleError only where both did.
     """
     found, failures = [], []
     for one in (units, units.plain):
@@ -86,8 +93,10 @@ def least_in_both(
         if size is None and found:
             break
     if not found:
+        if isinstance(failures[0], InfeasibleError) and not isinstance(failures[1], InfeasibleError):
+            raise failures[1]  # what was proved in balanced units says little about the user's
         raise failures[0]
-    if size is None or size(found[0]) <= size(found[-1]) + LITTLE:
+    if size is None or np.any(np.asarray(size(found[0])) <= np.asarray(size(found[-1])) + little):
         return found[0]
     return found[-1]
 

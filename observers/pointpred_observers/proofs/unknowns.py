@@ -174,7 +174,7 @@ class Unknowns:
         return constant, slopes
 
     def sizes(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
-        """The size of each entry of a block's diagonal, summed over its terms before they cancel."""
+        """The size of each entry of a block, summed over its terms before they cancel."""
         constant, slopes = self.coefficients(name, block)
         largest = np.abs(numbers)
         for one in self.listed:
@@ -182,8 +182,8 @@ class Unknowns:
                 start = self.place(one.name)
                 own = largest[start : start + one.count]
                 own[:] = np.maximum(own, one.numbers(self._terms[one.name]))
-        terms: FloatArray = np.abs(np.diagonal(slopes, axis1=1, axis2=2)).T @ largest
-        return np.abs(np.diag(constant)) + terms
+        terms: FloatArray = np.abs(constant) + np.tensordot(largest, np.abs(slopes), 1)
+        return terms
 
     def computed(self, name: str, terms: FloatArray) -> None:
         """Give the sizes of the terms of a matrix that is computed, of which it may be a small difference."""

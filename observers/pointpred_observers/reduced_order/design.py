@@ -26,7 +26,7 @@ from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
-from pointpred_observers.proofs.search import least_in_both, outward_all
+from pointpred_observers.proofs.search import WORSE, least_in_both, outward_all
 from pointpred_observers.proofs.stationary import filter_start
 from pointpred_observers.reduced_order.reversed_certificate import (
     Convergence,
@@ -41,6 +41,7 @@ from pointpred_observers.reduced_order.upsilon import InjectionSearch, Split, sp
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 
+TINY = 1e-300
 GAMMAS = (1.0, 1e-2)
 """The gamma of Theorem 3.3.1 that are tried, as shares of the decay."""
 
@@ -105,7 +106,7 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
         Reference: Khalin 2022, section 3.3.3, (3.33)-(3.40), Theorems 3.3.1 and 3.3.2.
         """
         plant, decay = constant(plant), positive("decay", decay)
-        units = balanced(
+        even = balanced(
             plant.A0,
             seen=plant.C0,
             driven=plant.A1,
@@ -114,44 +115,53 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
             rates=(decay,),
             time=plant.time,
         )
-        inner = _inward(plant, units)
-        pi = _unmeasured(inner) / units.states if Pi is None else Pi
-        parts = split(inner, matrix("Pi", pi, None, plant.n) * units.states)
-        sloped = bool(parts.driven.any() or parts.shown.any())
-        corners = vertices(plant.slopes) if sloped else {"": np.zeros((plant.k, plant.r))}
-        for name, corner in corners.items():
-            a = parts.drift + parts.driven @ corner @ parts.inner
-            c = parts.seen + parts.shown @ corner @ parts.inner
-            require_detectable(
-                a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}"
-            )
 
-        def designed(basis: Any, gamma: float) -> ReducedOrderObserver:
-            parts = split(inner, matrix("Pi", basis, None, plant.n) * units.states)
-            chosen, gap, near = _chosen(plant, parts, sloped, (decay, 2.0 * decay + gamma))
-            upsilon = chosen / units.outputs
-            try:
-                observer = InvariantObserver(plant, basis, upsilon, injection=True)
-                certificate = certify_convergence(observer, decay=decay, gamma=gamma, times=None, near=near)
-            except InfeasibleError as failure:
-                # The equalities and the inequality hold for this Upsilon, as its choice has shown.
-                raise UndecidedError(
-                    f"decay = {decay:g} is too large for the arithmetic: Upsilon has entries of "
-                    f"{np.abs(upsilon).max():.1g}, and in its rounding {failure}; require less decay"
-                ) from failure
-            return cls(observer, upsilon, certificate, gap)
+        def attempt(units: Coordinates) -> ReducedOrderObserver:
+            inner = _inward(plant, units)
+            pi = _unmeasured(inner) / units.states if Pi is None else Pi
+            parts = split(inner, matrix("Pi", pi, None, plant.n) * units.states)
+            sloped = bool(parts.driven.any() or parts.shown.any())
+            corners = vertices(plant.slopes) if sloped else {"": np.zeros((plant.k, plant.r))}
+            for name, corner in corners.items():
+                a = parts.drift + parts.driven @ corner @ parts.inner
+                c = parts.seen + parts.shown @ corner @ parts.inner
+                require_detectable(
+                    a, c, plant.time, f"the unmeasured part{f' at D = diag({name})' if name else ''}"
+                )
 
-        turned = _turned(inner, decay) if Pi is None else None
-        for share in GAMMAS:
-            for basis in [pi] if turned is None else [pi, turned / units.states]:
+            def designed(basis: Any, gamma: float) -> ReducedOrderObserver:
+                parts = split(inner, matrix("Pi", basis, None, plant.n) * units.states)
+                chosen, gap, near = _chosen(plant, parts, sloped, (decay, 2.0 * decay + gamma), units is even)
+                upsilon = chosen / units.outputs
                 try:
-                    return designed(basis, share * decay)
+                    observer = InvariantObserver(plant, basis, upsilon, injection=True)
+                    certificate = certify_convergence(
+                        observer, decay=decay, gamma=gamma, times=None, near=near
+                    )
                 except InfeasibleError as failure:
-                    reason: PointpredError = failure
-                    break
-                except (UndecidedError, CertificateError) as failure:
-                    reason = failure
-        raise reason
+                    # The equalities and the inequality hold for this Upsilon, as its choice has shown.
+                    raise UndecidedError(
+                        f"decay = {decay:g} is too large for the arithmetic: Upsilon has entries of "
+                        f"{np.abs(upsilon).max():.1g}, and in its rounding {failure}; require less decay"
+                    ) from failure
+                return cls(observer, upsilon, certificate, gap)
+
+            turned = _turned(inner, decay) if Pi is None else None
+            for share in GAMMAS:
+                for basis in [pi] if turned is None else [pi, turned / units.states]:
+                    try:
+                        return designed(basis, share * decay)
+                    except InfeasibleError as failure:
+                        reason: PointpredError = failure
+                        break
+                    except (UndecidedError, CertificateError) as failure:
+                        reason = failure
+            raise reason
+
+        def size(found: ReducedOrderObserver) -> list[float]:
+            return [float(np.log(found.bound.overshoot)), float(np.log(np.linalg.norm(found.Upsilon) + TINY))]
+
+        return least_in_both(even, attempt, size, WORSE)
 
     def error_system(self) -> ErrorSystem:
         """That of the observer without its certificate."""
@@ -247,8 +257,9 @@ def _chosen(
     parts: Split,
     sloped: bool,
     rates: tuple[float, float],
+    balancing: bool,
 ) -> tuple[FloatArray, float, dict[str, Any]]:
-    """Upsilon, its gap and its P, by balanced units; ``rates`` of e and of V."""
+    """Upsilon, its gap and its P, by balanced units or those of ``parts``; ``rates`` of e and of V."""
     units = balanced(
         parts.drift,
         seen=parts.seen,
@@ -272,7 +283,7 @@ def _chosen(
             outward_all(proof, {"P": form, "W": t * form, "alpha": 1.0}),
         )
 
-    return least_in_both(units, made)
+    return least_in_both(units, made) if balancing else made(units.plain)
 
 
 def _unmeasured(plant: Persidskii) -> FloatArray:
