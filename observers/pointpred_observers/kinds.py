@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from inspect import signature
+from inspect import Parameter, signature
 from typing import Any
 
 import numpy as np
@@ -89,17 +89,22 @@ def design(plant: Any, kind: str | None = None, *, decay: float = 1.0, **options
             f"kind {kind!r} needs a {getattr(wanted, '__name__', wanted)}, received a {type(plant).__name__}",
             field="kind",
         )
-    known = dict(signature(observer.design).parameters)
-    del known["plant"], known["decay"]
-    for name in options:
-        if name not in known:
-            raise ParameterError(
-                f"{name} is no option of kind {kind!r}, which has {', '.join(known)}", field=name
-            )
+    known = _known(observer.design, options, kind, ("plant", "decay"))
     for name, one in known.items():
         if one.default is one.empty and name not in options:
             raise ParameterError(f"kind {kind!r} needs {name}", field=name)
     return observer.design(plant, decay=decay, **options)
+
+
+def _known(call: Any, given: dict[str, Any], kind: str, hidden: tuple[str, ...] = ()) -> dict[str, Parameter]:
+    """The options of a kind; raises ParameterError for one that it does not have."""
+    known = {name: one for name, one in signature(call).parameters.items() if name not in hidden}
+    for name in given:
+        if name not in known:
+            raise ParameterError(
+                f"{name} is no option of kind {kind!r}, which has {', '.join(known)}", field=name
+            )
+    return known
 
 
 def _fitting(plant: Any, options: dict[str, Any]) -> str:
@@ -121,7 +126,9 @@ def stage(observer: Observer, **settings: Any) -> Any:
 
     ``settings``: ``start`` of the estimate, ``gap_s``, ``step_s`` and others of the kind.
     """
-    return instance("observer", observer, Observer).stage(**settings)
+    one = instance("observer", observer, Observer)
+    _known(one.stage, settings, one.kind)
+    return one.stage(**settings)
 
 
 def simulate(

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
-from pointpred_observers import Generator, Persidskii, trajectory
+from pointpred_observers import Generator, Persidskii, design, stage, trajectory
 from pointpred_observers.interconnected.design import DrivenObserver, certified_design
 from pointpred_observers.proofs.bounds import decay_of, proved_bound
 from pointpred_observers.simulations.trajectories import SeededSignal
@@ -206,3 +206,12 @@ def test_bounds_hold_for_linear_errors(seed: int) -> None:
     for t in (0.1, 1.0, 5.0):
         assert np.linalg.norm(expm(a * t), 2) <= bound(t, 1.0) + 1e-12
     assert np.linalg.norm(rest) <= bound(1e3, 0.0, w=1.0)
+
+
+@pytest.mark.parametrize("kind", ["full", "reduced", "regulator"])
+def test_a_misspelt_option_is_told_what_there_is(kind: str) -> None:
+    plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], B=[0.0, 1.0], C0=[1.0, 0.0])
+    with pytest.raises(ParameterError, match=f"dekay is no option of kind '{kind}', which has"):
+        design(plant, kind, dekay=2.0)
+    with pytest.raises(ParameterError, match=rf"strat is no option of kind '{kind}', which has .*start"):
+        stage(design(plant, kind), strat=[0.0, 0.0])

@@ -156,6 +156,15 @@ def test_an_unknown_input_that_stays_is_bridged_without_error() -> None:
             assert estimate.d[0] == pytest.approx(0.8, abs=1e-3)
 
 
+def test_a_schedule_may_be_a_dict() -> None:
+    stages = [observed(np.eye(2, 3)).stage() for _ in range(2)]
+    for i in range(5):
+        one = sample(0.1 * i, [np.sin(i), 0.5], -0.1 * i / 5.0)
+        other = msgspec.structs.replace(one, schedule=dict(one.schedule(np.zeros(3))))
+        found = [stage.update(each).x.tobytes() for stage, each in zip(stages, (one, other), strict=True)]
+        assert found[0] == found[1]
+
+
 def test_the_first_output_may_be_missing() -> None:
     stage = observed(PART).stage([0.3, -0.2, 0.5])
     first, second = stage.update(sample(0.0, [NAN, NAN])), stage.update(sample(0.5, None))

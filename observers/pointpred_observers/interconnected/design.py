@@ -142,7 +142,9 @@ class DrivenObserver(Observer, msgspec.Struct, frozen=True):
             domain=plant.domain,
         )
 
-    def stage(self, **settings: Any) -> PersidskiiStage:
+    def stage(
+        self, *, start: Any = None, step_s: float | None = None, gap_s: float | None = None
+    ) -> PersidskiiStage:
         """Observer (3.5): inputs are Y, then rho; it returns w^, then x^ = Pi w^ of (3.7).
 
         A missing output is replaced by the one of the estimate, C0 Pi w + C1 f(Jw): no correction.
@@ -157,7 +159,9 @@ class DrivenObserver(Observer, msgspec.Struct, frozen=True):
             R0=self._shown(),
             missing=MissingInputs.expected(plant.C0 @ self.Pi, plant.C1, plant.p + g.E.shape[1], plant.time),
             time=plant.time,
-            **settings,
+            start=start,
+            step_s=step_s,
+            gap_s=gap_s,
         )
 
     def _shown(self) -> FloatArray:

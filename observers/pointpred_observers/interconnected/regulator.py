@@ -168,9 +168,17 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
         """That of x - Pi w."""
         return self.observer.error_system()
 
-    def stage(self, *, estimate: bool = False, **settings: Any) -> PersidskiiStage:
+    def stage(
+        self,
+        *,
+        estimate: bool = False,
+        start: Any = None,
+        step_s: float | None = None,
+        gap_s: float | None = None,
+    ) -> PersidskiiStage:
         """Regulator (3.8): inputs are Y, then rho; it returns u, and behind it Pi w if ``estimate``."""
-        return regulator_stage(self.plant, self.regulator, self.Pi if estimate else None, **settings)
+        shown = self.Pi if estimate else None
+        return regulator_stage(self.plant, self.regulator, shown, start=start, step_s=step_s, gap_s=gap_s)
 
     def simulated(self, plant: Any, setting: Setting) -> Simulation:
         """The plant under its regulator."""

@@ -167,9 +167,11 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
         """That of the observer without its certificate."""
         return self.observer.error_system()
 
-    def stage(self, **settings: Any) -> PersidskiiStage:
+    def stage(
+        self, *, start: Any = None, step_s: float | None = None, gap_s: float | None = None
+    ) -> PersidskiiStage:
         """Inputs are y, then u; it returns the plant's x; see ``InvariantObserver.stage``."""
-        return self.observer.stage(**settings)
+        return self.observer.stage(start=start, step_s=step_s, gap_s=gap_s)
 
     def simulated(self, plant: Any, setting: Setting) -> Simulation:
         """The plant that nothing feeds back, with the bound that the certificate proves."""

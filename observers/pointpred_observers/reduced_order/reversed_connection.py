@@ -7,7 +7,6 @@ from typing import Any, ClassVar
 
 import msgspec
 import numpy as np
-from numpy.typing import ArrayLike
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
@@ -204,7 +203,9 @@ class InvariantObserver(Observer):
             domain=plant.domain,
         )
 
-    def stage(self, *, start: ArrayLike | None = None, **settings: Any) -> PersidskiiStage:
+    def stage(
+        self, *, start: Any = None, step_s: float | None = None, gap_s: float | None = None
+    ) -> PersidskiiStage:
         """Observer (3.17) or (3.19) as a stage: inputs are y, then u; it returns the plant's x.
 
         Assumes C1 = 0 and that w and y determine x. The measured part of the output is the measurement with
@@ -251,7 +252,8 @@ class InvariantObserver(Observer):
             start=now.Z @ guess,
             missing=missing,
             time=plant.time,
-            **settings,
+            step_s=step_s,
+            gap_s=gap_s,
         )
 
     def simulated(

@@ -32,13 +32,13 @@ BASE, TOTAL, STAGE, RATE, ESTIMATE = 0, 1, 2, 3, 4
 class UnknownInputSample(msgspec.Struct, frozen=True):
     """The outputs y and the known part b(y, u) at ``t`` s (or the index), and the scheduling variables there.
 
-    An output that is NaN is missing, ``None`` for all of them.
+    An output that is NaN is missing, ``None`` for all of them. ``schedule`` is a dict, or a function of x.
     """
 
     t: float
     y: Any
     known: FloatArray
-    schedule: Schedule
+    schedule: Any
 
 
 class UnknownInputEstimate(msgspec.Struct, frozen=True):
@@ -348,7 +348,8 @@ class UnknownInputStage:
                 value=sample.t,
             )
         y, known = np.asarray(y, np.float64), np.asarray(sample.known, np.float64)
-        return UnknownInputSample(sample.t, y, known, sample.schedule)
+        point = sample.schedule
+        return UnknownInputSample(sample.t, y, known, point if callable(point) else lambda x: point)
 
 
 def _steps(old: UnknownInputSample, new: UnknownInputSample, fastest: float) -> int:
