@@ -175,8 +175,9 @@ def test_another_solver_agrees() -> None:
         four = certify_convergence(sampled, decay=0.02)
         other = ReducedOrderObserver.design(masses(), Pi=PI, decay=0.5)
     assert two.bound.overshoot == pytest.approx(one.bound.overshoot, rel=1e-5)
-    assert four.bound.overshoot == pytest.approx(three.bound.overshoot, rel=1e-5)
-    assert four.bound.gains == pytest.approx(three.bound.gains, rel=1e-5)
+    assert three.gap < 1e-3  # of what is minimised; what it is made of may differ by as much
+    assert four.bound.overshoot == pytest.approx(three.bound.overshoot, rel=three.gap)
+    assert four.bound.gains == pytest.approx(three.bound.gains, rel=three.gap)
     # The least size agrees to 1e-5; where it is reached is flat, to the root of that.
     assert other.Upsilon == pytest.approx(found.Upsilon, abs=1e-4)
 

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.integrate import solve_ivp
 
 from pointpred.drawing import Panel, drawing
 from pointpred.records import FloatArray
@@ -87,6 +86,8 @@ def digestion(t: FloatArray, gain: tuple[float, float], *, projected: bool) -> F
     start = [1.0, 5.0, 0.1, 0.0, 1.0, 20.0]
     if projected:
         return trajectory(field, start, t, tolerance=1e-6)
+    from scipy.integrate import solve_ivp
+
     # In steps of 20 ms whatever their error: an accurate integrator ends where Pi z meets the pole of f1.
     steps = solve_ivp(
         field, (t[0], t[-1]), start, "RK45", t, first_step=0.02, max_step=0.02, rtol=1e6, atol=1e6
