@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 from pathlib import Path
 from urllib.parse import quote
 
 import msgspec
 
-from pointpred.errors import ParameterError
 from pointpred.recording import Recording
 from pointpred.recordings.reading import People, Reading
 
@@ -76,24 +74,3 @@ def github_file(repository: str, path: str, commit: str = "HEAD", sha256: str | 
     """
     url = f"https://raw.githubusercontent.com/{repository}/{commit}/{quote(path)}"
     return RemoteFile(path.rsplit("/", 1)[-1], url, sha256)
-
-
-def listing() -> tuple[DataSet, ...]:
-    """Every set of the catalogue; none of them is part of this package.
-
-    >>> [entry.name for entry in listing()][:3]
-    ['freihaut2021', 'pvplib23714', 'cryslacks']
-    """
-    from pointpred.datasets.public import SETS
-
-    return SETS
-
-
-def find(name: str) -> DataSet:
-    """The set of this name; raises ParameterError naming the nearest one and all of them."""
-    known = {entry.name: entry for entry in listing()}
-    if name in known:
-        return known[name]
-    near = difflib.get_close_matches(name, known, 1)
-    hint = f"; did you mean {near[0]!r}?" if near else "."
-    raise ParameterError(f"unknown data set {name!r}{hint} Known: {', '.join(known)}")

@@ -14,7 +14,8 @@ from urllib.parse import urlsplit
 
 import msgspec
 
-from pointpred.datasets.catalogue import DataSet, RemoteFile, find
+from pointpred.datasets.catalogue import DataSet, RemoteFile
+from pointpred.datasets.public import find
 from pointpred.errors import ParameterError, SourceError
 from pointpred.parameter import Parameter, check
 

@@ -6,7 +6,10 @@ make the benchmark.
 
 from __future__ import annotations
 
+import difflib
+
 from pointpred.datasets.catalogue import DataSet, github_file
+from pointpred.errors import ParameterError
 from pointpred.recordings.reading import AS_IS, Reading
 
 SETS: tuple[DataSet, ...] = (
@@ -250,3 +253,22 @@ SETS: tuple[DataSet, ...] = (
         note="Not a published set: run the collector, keep the logs.",
     ),
 )
+
+
+def listing() -> tuple[DataSet, ...]:
+    """Every set of the catalogue; none of them is part of this package.
+
+    >>> [entry.name for entry in listing()][:3]
+    ['freihaut2021', 'pvplib23714', 'cryslacks']
+    """
+    return SETS
+
+
+def find(name: str) -> DataSet:
+    """The set of this name; raises ParameterError naming the nearest one and all of them."""
+    known = {entry.name: entry for entry in listing()}
+    if name in known:
+        return known[name]
+    near = difflib.get_close_matches(name, known, 1)
+    hint = f"; did you mean {near[0]!r}?" if near else "."
+    raise ParameterError(f"unknown data set {name!r}{hint} Known: {', '.join(known)}")
