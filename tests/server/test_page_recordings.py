@@ -163,10 +163,9 @@ def test_the_snippet_is_copied_and_is_a_program_that_works(visitor: Visitor) -> 
     visitor.wait("document.querySelector('#snippet-copy').textContent === 'Copied'")
     copied: str = visitor.page.evaluate("navigator.clipboard.readText()")
     first, body = copied.split("\n", 1)
-    assert first == 'import { onIntent } from "pointpred/intent";'
-    program = (
-        f"import('/web/lib/intent/index.js').then(({{ onIntent }}) => {{ {body} }}).then(() => 'registered')"
-    )
+    assert first == 'import { prefetchLink } from "pointpred/intent";'
+    loaded = "import('/web/lib/intent/index.js')"
+    program = f"{loaded}.then(({{ prefetchLink }}) => {{\n{body}\n}}).then(() => 'registered')"
     assert visitor.value(program) == "registered"
     visitor.wait("document.querySelector('#snippet-copy').textContent === 'Copy'")
 
