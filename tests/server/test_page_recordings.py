@@ -162,8 +162,8 @@ def test_the_snippet_is_copied_and_is_a_program_that_works(visitor: Visitor) -> 
     visitor.page.click("#snippet-copy")
     visitor.wait("document.querySelector('#snippet-copy').textContent === 'Copied'")
     copied: str = visitor.page.evaluate("navigator.clipboard.readText()")
-    first, body = copied.split("\n", 1)
-    assert first == 'import { prefetchLink } from "pointpred/intent";'
+    first, body = copied.split(";", 1)
+    assert first == 'import { prefetchLink }\n  from "pointpred/intent"'
     loaded = "import('/web/lib/intent/index.js')"
     program = f"{loaded}.then(({{ prefetchLink }}) => {{\n{body}\n}}).then(() => 'registered')"
     assert visitor.value(program) == "registered"
