@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import shutil
-import sys
 from pathlib import Path
 
 from sphinx.application import Sphinx
 
-ROOT = Path(__file__).parents[2]
-sys.path.insert(0, str(ROOT))
+from evidence.site import contents
 
-from evidence.site import contents  # noqa: E402
+ROOT = Path(__file__).parents[2]
 
 project = html_title = "pointpred"
 author = "the authors of pointpred"
