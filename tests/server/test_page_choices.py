@@ -50,6 +50,7 @@ def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
         opened.value("document.querySelector('[name=shown]').checked = true")
         opened.wait("document.querySelector('#circle-connection').dataset.state === 'open'")
         opened.value("document.querySelector('#circle-start').click()")
+        opened.wait('answered.includes(\'{"type":"targets","count":13}\')')  # it ends what was proposed before
         yield opened
         assert opened.complaints() == []
         assert opened.shift() < 0.001
@@ -66,7 +67,6 @@ def say(visitor: Visitor, target: str, p: float, action: str = "propose") -> Non
 
 
 def test_a_proposed_target_is_ringed_as_strongly_as_it_is_likely(visitor: Visitor) -> None:
-    visitor.wait('answered.includes(\'{"type":"targets","count":13}\')')
     assert [ring(visitor, target)[1] for target in range(13)] == [0.0] * 13
     for p in (0.25, 0.5, 1.0):
         say(visitor, "3", p)
