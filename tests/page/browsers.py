@@ -15,7 +15,7 @@ import pytest
 from tests.server.browser import BROWSER, QUIET
 
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
-PATIENCE_S = 300.0
+PATIENCE_S = 120.0
 ROOT = Path(__file__).parents[2]
 FOLDERS = {"laws": ROOT / "server" / "pointpred_server" / "web" / "lib" / "laws"}
 """Addresses that begin with such a word lead to this folder, all others to that of the tests."""

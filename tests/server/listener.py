@@ -134,7 +134,7 @@ class Listener:
         return Response(http.HTTPStatus.OK, "OK", headers, body)
 
 
-def soon(condition: object, what: str, seconds: float = 300.0) -> None:
+def soon(condition: object, what: str, seconds: float = 120.0) -> None:
     """Wait until something holds."""
     until = time.monotonic() + seconds
     while not condition():  # type: ignore[operator]

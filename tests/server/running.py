@@ -20,7 +20,7 @@ from pointpred_server.service import Service
 from pointpred_server.settings import Settings
 
 HELLO = '{"type":"hello","version":1,"predictor":"switched"}'
-PATIENCE_S = 600.0
+PATIENCE_S = 120.0
 """For what is bound to come, however busy the machine is."""
 
 

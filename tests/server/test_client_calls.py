@@ -26,7 +26,7 @@ WELCOME = encode(Welcome(1, "here", "hold", Limits())).decode()
 PREDICTION = encode(PredictionMessage(0.0)).decode()
 GAVE_WAY = encode(ErrorMessage("slow", "1 predictions gave way")).decode()
 LAST = encode(ErrorMessage("idle", "nothing was heard for 60 s", None, recoverable=False)).decode()
-PATIENCE_S = 300.0
+PATIENCE_S = 120.0
 """For what is bound to come, however busy the machine is."""
 PAGE = Path(__file__).parents[2] / "docs" / "guide" / "python-client.md"
 
