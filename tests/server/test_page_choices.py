@@ -50,7 +50,7 @@ def visitor(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Visitor]:
         opened.value("document.querySelector('[name=shown]').checked = true")
         opened.wait("document.querySelector('#circle-connection').dataset.state === 'open'")
         opened.value("document.querySelector('#circle-start').click()")
-        opened.wait('answered.includes(\'{"type":"targets","count":13}\')')  # it ends what was proposed before
+        opened.wait('answered.includes(\'{"type":"targets","count":13}\')')  # ends older ones
         yield opened
         assert opened.complaints() == []
         assert opened.shift() < 0.001
