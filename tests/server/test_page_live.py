@@ -84,8 +84,11 @@ def since(rows: np.ndarray, end: np.ndarray, px: float) -> float | None:
     return float(rows[first, 0]) if first < len(rows) else None
 
 
-def leads(own: dict[str, list[dict[str, Any]]]) -> list[dict[str, float]]:
-    """How early the end of each movement was known, from the events sent and the answers heard."""
+def leads(own: dict[str, list[dict[str, Any]]]) -> list[dict[str, float | None]]:
+    """How early the end of each movement was known, from the events sent and the answers heard.
+
+    None where nothing was predicted in the last 0.3 s before the arrival, as by a slow service.
+    """
     events = np.array(
         [row[:3] for m in own["told"] if m["type"] == "events" for row in m["events"]], dtype=float
     )
@@ -104,7 +107,9 @@ def leads(own: dict[str, list[dict[str, Any]]]) -> list[dict[str, float]]:
         assert reached is not None
         within = answers[(answers[:, 0] >= rows[0, 0]) & (answers[:, 0] <= arrival)]
         known = since(within, end, 40.0)
-        lead = arrival - known if known is not None and known < reached else 0.0
+        lead: float | None = arrival - known if known is not None and known < reached else 0.0
+        if np.isnan(within[:, 1]).all() or arrival - within[-1, 0] > 0.3:
+            lead = None
         found.append({"arrival": arrival, "reached": reached, "lead_s": lead})
     return found
 
@@ -138,13 +143,14 @@ def test_the_sentence_tells_how_early_the_end_was_known(visitor: Visitor) -> Non
         assert verdict["arrival"] == pytest.approx(wanted["arrival"])
         assert verdict["reached"] == pytest.approx(wanted["reached"])
         assert said["lead_s"] == pytest.approx(wanted["lead_s"])
-        last = [one["lead_s"] for one in expected[max(0, i - 9) : i + 1]]
-        assert said["average_s"] == (None if i == 0 else pytest.approx(np.mean(last)))
+        last = [one["lead_s"] for one in expected[: i + 1] if one["lead_s"] is not None][-10:]
+        silent = wanted["lead_s"] is None or len(last) < 2
+        assert said["average_s"] == (None if silent else pytest.approx(np.mean(last)))
     assert verdicts[-1]["arrival"] == pytest.approx(arrivals[-1])
-    assert any(one["lead_s"] > 0 for one in expected), "some end was known early"
+    assert any(one["lead_s"] for one in expected), "some end was known early"
     words = visitor.text("#live-verdict")
-    assert f"{1000 * expected[-1]['lead_s']:.0f} ms" in words or expected[-1]["lead_s"] == 0
-    average = 1000 * verdicts[-1]["each"][0]["average_s"]
+    assert not expected[-1]["lead_s"] or f"{1000 * expected[-1]['lead_s']:.0f} ms" in words
+    average = 1000 * (verdicts[-1]["each"][0]["average_s"] or 0.0)
     assert average == 0 or f"average of the last ten: {average:.0f} ms" in words
 
 
@@ -154,26 +160,29 @@ def test_a_clicked_tile_is_judged_by_how_early_it_was_proposed(visitor: Visitor)
     end = (left + 1 + tile["x"] + tile["width"] / 2, top + 1 + tile["y"] + tile["height"] / 2)
 
     def judged() -> Any:
+        """The verdict, when the pointer came, and the choice before; a slow machine may make two."""
+        began = visitor.value("performance.now() / 1000")
         visitor.reach(place(visitor, 0.15, 0.2), end, 0.6)
         visitor.click(*end)
         visitor.value(PAUSE)
         verdict = visitor.value(VERDICT)
-        return verdict if verdict and verdict["tile"] and verdict["tile"]["lead_s"] > 0 else None
+        if not (verdict and verdict["tile"] and verdict["tile"]["lead_s"] > 0):
+            return None
+        own = line(visitor)
+        events = [row for m in own["told"] if m["type"] == "events" for row in m["events"]]
+        inside = [
+            tile["x"] <= x <= tile["x"] + tile["width"] and tile["y"] <= y <= tile["y"] + tile["height"]
+            for _, x, y, *_ in events
+        ]
+        pairs = zip(pairwise(events), pairwise(inside), strict=True)
+        entered = [b[0] for (_, b), (was, now) in pairs if now and not was][-1]
+        choices = [m for m in own["answered"] if m["type"] == "choice" and began < m["t"] < entered]
+        return (verdict, entered, choices[0]) if len(choices) == 1 else None
 
-    verdict = until(judged, "a tile that was proposed before the pointer was there")
-    own = line(visitor)
-    events = [row for m in own["told"] if m["type"] == "events" for row in m["events"]]
-    inside = [
-        tile["x"] <= x <= tile["x"] + tile["width"] and tile["y"] <= y <= tile["y"] + tile["height"]
-        for _, x, y, *_ in events
-    ]
-    entered = [
-        b[0] for (a, b), (was, now) in zip(pairwise(events), pairwise(inside), strict=True) if now and not was
-    ]
-    choices = [m for m in own["answered"] if m["type"] == "choice" and m["t"] < entered[-1]]
-    assert choices[-1]["action"] == "propose"
-    assert choices[-1]["id"] == tile["id"]
-    assert verdict["tile"]["lead_s"] == pytest.approx(entered[-1] - choices[-1]["t"])
+    verdict, entered, choice = until(judged, "a tile that was proposed before the pointer was there")
+    assert choice["action"] == "propose"
+    assert choice["id"] == tile["id"]
+    assert verdict["tile"]["lead_s"] == pytest.approx(entered - choice["t"])
     assert f"Tile: proposed {1000 * verdict['tile']['lead_s']:.0f} ms before" in visitor.text("#live-verdict")
 
 
