@@ -33,6 +33,8 @@ html_js_files = ["page.js"]
 
 MOVING = ("docs/figures/live.webp", "docs/figures/live.png")
 """Pictures that the README shows by HTML, which Sphinx does not copy."""
+SOURCES = "_sources"
+"""Where Sphinx copies the Markdown to."""
 LIVE = """
 <a href="demo/index.html">Move your mouse over the live page.</a> A browser loads it only from a server; for a
 folder on this machine that is `python -m http.server --directory site`, then <http://localhost:8000/>.
@@ -61,7 +63,8 @@ def add_files(app: Sphinx, failed: Exception | None) -> None:
     for name in MOVING:
         (out / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, out / name)
-    (out / "llms.txt").write_text(contents.short_list("_sources/"), encoding="utf-8")
+    (out / "llms.txt").write_text(contents.short_list(f"{SOURCES}/"), encoding="utf-8")
+    contents.copy_pictures(out / SOURCES)
     (out / "llms-full.txt").write_text(contents.full_text(), encoding="utf-8")
 
 

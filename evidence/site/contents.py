@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 from typing import NamedTuple
 
@@ -14,6 +15,10 @@ OBSERVERS = "observers/README.md"
 """Followed by every page of observers/docs, which it lists by itself."""
 NOT_FOR_READING = "Evidence", "The project"
 """Sections that llms-full.txt leaves out."""
+
+
+PICTURE = re.compile(r'!\[[^\]]*\]\(([^)#]+)\)|<(?:img|source)\b[^>]*? src(?:set)?="([^"]+)"')
+"""What a page shows, in Markdown or HTML."""
 
 
 class Page(NamedTuple):
@@ -30,6 +35,12 @@ class Page(NamedTuple):
     def title(self) -> str:
         """Its first heading."""
         return self.text().partition("\n")[0].removeprefix("# ")
+
+    def pictures(self) -> list[Path]:
+        """The files that it shows, by their paths from the root of the project."""
+        links = [link for found in PICTURE.findall(self.text()) for link in found if link and ":" not in link]
+        beside = (ROOT / self.path).parent
+        return [(beside / link).resolve().relative_to(ROOT) for link in links]
 
 
 def sections() -> dict[str, list[Page]]:
@@ -63,6 +74,13 @@ def numbered(page: Path) -> tuple[str, int]:
 def paths() -> list[str]:
     """Every page of the site."""
     return [FIRST, "docs/README.md", *(page.path for pages in sections().values() for page in pages)]
+
+
+def copy_pictures(folder: Path) -> None:
+    """Copy what the pages show to where their Markdown, copied into ``folder``, looks for it."""
+    for picture in {picture for path in paths() for picture in Page(path, "").pictures()}:
+        (folder / picture).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / picture, folder / picture)
 
 
 def short_list(sources: str) -> str:

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from pointpred.cli.output_files import Force, Out, check_recording
-from pointpred.cli.reading_options import as_given, recordings_in, to_read, with_reading
+from pointpred.cli.reading_options import as_given, is_sample, recordings_in, to_read, with_reading
 from pointpred.console import counted, remarks
 from pointpred.errors import RecordingError
 from pointpred.recordings.reading import People, Reading
@@ -54,12 +54,14 @@ def convert(
       pointpred convert p*.csv --join file --out study_samples.parquet
     """
     check_recording(out, force or (join is None and (len(sources) > 1 or sources[0].is_dir())))
+    from pointpred.datasets.embedded import FILE
     from pointpred.recordings import read_any, write_recordings
 
     if join is None:
         recordings = [one for source in sources for one in recordings_in(source, reading)]
     else:
-        recordings = read_any(sources, reading, people=join)
+        files = [FILE if is_sample(source) else source for source in sources]
+        recordings = read_any(files, reading, people=join)
     summary = write_recordings(recordings, out, replace=force)
     for file in summary.files:
         typer.echo(file)

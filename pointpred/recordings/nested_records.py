@@ -120,29 +120,36 @@ def table_of(value: Any) -> RecordTable | None:
 
 
 def records(rows: Sequence[dict[str, Any] | None]) -> RecordTable:
-    """Objects as rows: an object inside one is flattened as ``a.b``, a list of points becomes lists."""
+    """Objects as rows: an object inside one is flattened as ``a.b``, a list of points becomes lists.
+
+    ``None`` in the place of an object is a row without cells.
+    """
     table = RecordTable()
     for at, row in enumerate(rows):
-        if row is not None:
-            cells, deep = flatten(row)
-            table.deep_fields += [(at, name, value) for name, value in deep.items()]
-            table.add(cells)
-    _spread(table.finish())
+        cells, deep = flatten(row or {})
+        table.deep_fields += [(at, name, value) for name, value in deep.items()]
+        table.add(cells)
+    _spread(table.finish(), [at for at, row in enumerate(rows) if row is not None])
     return table
 
 
-def _spread(table: RecordTable) -> None:
-    """Replace a column of points, as ``pos`` in ``{"t": 0, "pos": [3, 4]}``, by one column per number."""
-    widths = {
-        name: len(cells[0])
-        for name, cells in table.columns.items()
-        if set(map(type, cells)) == {list} and len(set(map(len, cells))) == 1
-    }
+def _spread(table: RecordTable, rows: Sequence[int]) -> None:
+    """Replace a column of points, as ``pos`` in ``{"t": 0, "pos": [3, 4]}``, by one column per number.
+
+    ``rows``: those that have cells.
+    """
+    widths: dict[str, int] = {}
+    for name, column in table.columns.items():
+        cells = [column[row] for row in rows]
+        if set(map(type, cells)) == {list} and len(set(map(len, cells))) == 1:
+            widths[name] = len(cells[0])
     several = Counter(widths.values())
     for name, width in widths.items():
         if width in POINT and several[width] < TRACKS:
-            for at, column in enumerate(zip(*table.columns.pop(name), strict=True)):
-                table.columns[f"{name}.{at}"] = list(column)
+            nothing = [None] * width
+            points = (cell or nothing for cell in table.columns.pop(name))
+            for at, numbers in enumerate(zip(*points, strict=True)):
+                table.columns[f"{name}.{at}"] = list(numbers)
 
 
 def scalars(row: dict[str, Any]) -> dict[str, Any]:
@@ -244,7 +251,7 @@ def _of_lists(value: dict[str, Any]) -> RecordTable | None:
     if count < 2:
         return None
     table = RecordTable({name: inner for name, inner in columns.items() if len(inner) == rows})
-    _spread(table)
+    _spread(table, range(rows))
     cells, deep = flatten({name: inner for name, inner in value.items() if name not in columns})
     deep |= {name: inner for name, inner in columns.items() if len(inner) != rows}
     table.deep_fields = [(0, name, inner) for name, inner in deep.items()]

@@ -73,7 +73,10 @@ def create_app(service: Service | None = None, announce: Callable[[], None] = la
     app.exception_handler(RequestValidationError)(bad_request)
     _add_read(app, "/healthz", _health, responses=OPEN, response_model=Health)
     _add_read(app, "/readyz", _ready, responses=OPEN | NOT_READY, response_model=Readiness)
-    _add_read(app, "/", _page, responses=GUARDED | text_response("text/html"), response_class=Response)
+    if serving.study is not None:
+        add_study(app)
+    else:
+        _add_read(app, "/", _page, responses=GUARDED | text_response("text/html"), response_class=Response)
     _add_read(
         app,
         "/pointpred.js",
@@ -87,8 +90,6 @@ def create_app(service: Service | None = None, announce: Callable[[], None] = la
     _add_read(app, "/v1/samples/{name}", _sample, responses=error_responses(401, 403, 404, 422))
     app.router.routes.append(Route("/v1/stream", _stream, include_in_schema=False))
     _add_read(app, "/v1/live", _live, responses=GUARDED)
-    if serving.study is not None:
-        add_study(app)
     app.mount("/web", StaticFiles(directory=WEB))
     return app
 

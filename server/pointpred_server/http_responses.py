@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 from fastapi import Request, Response
@@ -11,6 +11,9 @@ from starlette.exceptions import HTTPException
 from pointpred.protocol.errors import ProtocolError
 from pointpred.protocol.server_messages import Code, encode
 from pointpred_server.access import HOST_REFUSED, TOKEN_NEEDED
+
+if TYPE_CHECKING:
+    from pointpred_server.service import Service
 
 SECURITY_HEADERS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
@@ -51,6 +54,11 @@ def crosses_sites(request: Request) -> bool:
     return request.headers.get("sec-fetch-site") == "cross-site" and not followed
 
 
+def is_open(service: Service, path: str) -> bool:
+    """Whether a path needs no token; at the root of a study is the way to its page."""
+    return path.startswith(OPEN) or (path == "/" and service.study is not None)
+
+
 async def guard(request: Request, forward: Any) -> Response:
     """Check the host name, the site that asks, and the token; add the headers."""
     service, path = request.app.state.service, request.url.path
@@ -58,7 +66,7 @@ async def guard(request: Request, forward: Any) -> Response:
         response = error_response("unauthorized", HOST_REFUSED, 403)
     elif crosses_sites(request) and not path.startswith(CLIENT):
         response = error_response("unauthorized", "pages of another site may not ask for this", 403)
-    elif not path.startswith(OPEN) and not service.has_token(request.scope):
+    elif not is_open(service, path) and not service.has_token(request.scope):
         response = error_response("unauthorized", TOKEN_NEEDED, 401)
     else:
         response = await forward(request)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 from fastapi import Request, Response
+from starlette.responses import RedirectResponse
 from starlette.routing import Route
 
 from pointpred.errors import ParameterError, SourceError
@@ -23,13 +24,22 @@ if TYPE_CHECKING:
 
 FOREIGN = "pages of another site may not send here; a proxy in between must pass the Host of the page on"
 UNKNOWN = "this link belongs to no participant; ask who gave it to you for a new one"
+NO_LINK = "each participant has a link of their own; open yours, or ask who runs this study for it"
 
 
 def add_study(app: FastAPI) -> None:
     """Add the page and what it talks to. The links are the participants' tokens: no other is asked for."""
+    app.router.routes.append(Route("/", _lead, methods=["GET"]))
+    app.router.routes.append(Route("/study/", _page, methods=["GET"]))
     app.router.routes.append(Route("/study/{link}", _page, methods=["GET"]))
+    app.router.routes.append(Route("/v1/study/", _state, methods=["GET"]))
     app.router.routes.append(Route("/v1/study/{link}", _state, methods=["GET"]))
     app.router.routes.append(Route("/v1/study/{link}", _take, methods=["POST"]))
+
+
+async def _lead(request: Request) -> Response:
+    """To the page, which asks for the link."""
+    return RedirectResponse("study/")
 
 
 async def _page(request: Request) -> Response:
@@ -40,7 +50,7 @@ async def _page(request: Request) -> Response:
 async def _state(request: Request) -> Response:
     """What the study is, and how far the participant is; nothing is stored."""
     if (one := await _participant(request)) is None:
-        return error_response("unauthorized", UNKNOWN, 404)
+        return error_response("unauthorized", UNKNOWN if request.path_params else NO_LINK, 404)
     return json_response(await asyncio.to_thread(lambda: _described(one) | one.state()))
 
 
@@ -77,7 +87,7 @@ def _store(service: Service, one: Participant, body: bytes) -> dict[str, Any]:
 async def _participant(request: Request) -> Participant | None:
     service: Service = request.app.state.service
     assert service.study is not None
-    return await asyncio.to_thread(service.study.find, request.path_params["link"])
+    return await asyncio.to_thread(service.study.find, request.path_params.get("link", ""))
 
 
 def _described(one: Participant) -> dict[str, Any]:

@@ -44,6 +44,9 @@ CONSTANTS = {
 }
 """Limits of the service that are no settings, by their rows in its guide."""
 
+CHECKOUT = re.compile(r"\bmake package|docker build|deploy/|tests/data/")
+"""What an example needs that no distribution holds."""
+
 WORDS = {
     f"once more for each {quota.TARGETS_AN_EVENT} targets",
     f"{quota.EVENTS_FOR_PLACES} times more with places",
@@ -105,6 +108,17 @@ def test_a_part_that_is_missing_is_an_error() -> None:
 def test_links_inside_the_project_lead_somewhere(page: Path) -> None:
     for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
         assert (page.parent / link).exists(), f"{page.name} links to {link}"
+
+
+GUIDES = [*(ROOT / "docs/guide").glob("*.md"), ROOT / "docs/reference/recordings.md"]
+
+
+@pytest.mark.parametrize("page", GUIDES, ids=lambda path: path.name)
+def test_what_needs_a_source_checkout_says_so_before(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    if needed := CHECKOUT.search(text):
+        line = text.find("\n", needed.start())
+        assert "source checkout" in text[:line], f"{page.name} does not say where {needed[0]} is"
 
 
 def test_every_test_that_shows_a_defence_exists() -> None:

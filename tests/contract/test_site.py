@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 from collections import Counter
 from collections.abc import Iterator
@@ -38,6 +39,27 @@ def test_the_list_for_language_models_names_pages_that_exist() -> None:
 def test_the_pictures_of_the_front_page_exist_and_are_small() -> None:
     shown = re.findall(r'src(?:set)?="([^"]+)"', (ROOT / contents.FIRST).read_text(encoding="utf-8"))
     assert max((ROOT / name).stat().st_size for name in shown if name.startswith("docs/")) < 600_000
+
+
+def shown_without_file(folder: Path) -> list[tuple[str, str]]:
+    """Pictures that the Markdown of a page in this folder shows and that do not lie there."""
+    texts = {path: (folder / path).read_text(encoding="utf-8") for path in contents.paths()}
+    shown = {
+        path: re.findall(r"!\[.*?\]\((.+?)\)|<(?:img|source).*? src(?:set)?=\"(.+?)\"", text)
+        for path, text in texts.items()
+    }
+    assert sum(map(len, shown.values())) > 30
+    links = [(path, link) for path, found in shown.items() for pair in found for link in pair if link]
+    return [(path, link) for path, link in links if not ((folder / path).parent / link).is_file()]
+
+
+def test_the_markdown_for_language_models_has_its_pictures_beside_it(tmp_path: Path) -> None:
+    for path in contents.paths():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / path, tmp_path / path)
+    assert len(shown_without_file(tmp_path)) > 30
+    contents.copy_pictures(tmp_path)
+    assert shown_without_file(tmp_path) == []
 
 
 class Links(HTMLParser):
@@ -89,6 +111,7 @@ def test_every_link_of_the_site_leads_somewhere(site: Path) -> None:
             if not there or (goal in pages and unquote(address.fragment) not in pages[goal].places):
                 wrong.append((file.relative_to(site).as_posix(), link))
     assert wrong == []
+    assert shown_without_file(site / "_sources") == []
 
 
 @pytest.mark.slow

@@ -48,6 +48,21 @@ def test_the_order_is_the_browsers(page: IntentPage) -> None:
     assert sorted(page.said()) == ["early focus", "first tab", "second tab"]
 
 
+def test_what_says_that_it_is_disabled_does_not_fire(page: IntentPage) -> None:
+    """It can have the focus, so that it counts as a press; what takes no pointer events fires."""
+    page.make(
+        "for (const id of ['off', 'tinted', 'beyond', 'bare']) box(id, 100, 40);"
+        "bare.style.pointerEvents = 'none';"
+        "for (const one of [off, tinted, beyond]) one.setAttribute('aria-disabled', 'true');"
+        "watch(off); watch(tinted, { policy: 'highlight' }); watch(beyond); watch(bare)"
+    )
+    for _ in range(4):
+        page.visitor.press("Tab")
+        page.settle()
+    page.wait("said().length >= 1")
+    assert page.said() == ["bare tab"]
+
+
 def test_a_card_around_the_link_counts(page: IntentPage) -> None:
     page.make(
         "box('card', 100, 40, 200, 100, 'div').innerHTML = '<a id=link href=#there>there</a>'; watch(card);"

@@ -11,6 +11,8 @@ const wrong = {
   "a set": new Set([one]),
   "no object": [3],
   "null for an object": [null],
+  "nothing but holes": Array(3),
+  "a hole": Object.assign([], { 0: one, 2: { ...one, id: "b" } }),
   "no id": [{ ...one, id: undefined }],
   "the id null": [{ ...one, id: null }],
   "the id NaN": [{ ...one, id: NaN }],
@@ -28,4 +30,7 @@ for (const [name, targets] of Object.entries(wrong))
     await attempt(() => pipeline.register(targets) ?? null),
     await attempt(() => build("hold", { targets }).then(() => null)),
   ];
+try {
+  pipeline.register([{ ...one, id: Object.create(null) }]);
+} catch {} // no text names it
 answer({ told, left: [...pipeline.shares.keys()] });

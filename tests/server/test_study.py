@@ -50,7 +50,16 @@ def test_a_link_reaches_its_participant_and_no_other(study: Study, served: Runni
         assert get(f"{served.url}/v1/study/{wrong}", timeout=PATIENCE_S).status_code == 404
         assert send(f"{served.url}/v1/study/{wrong}", Agreed(PAGE)).status_code in (404, 405)
     assert get(f"{served.url}/study/{study.links()['P01']}", timeout=PATIENCE_S).status_code == 200
-    assert get(f"{served.url}/", timeout=PATIENCE_S).status_code == 401
+    assert get(f"{served.url}/v1/predictors", timeout=PATIENCE_S).status_code == 401
+
+
+def test_the_address_without_a_link_leads_to_the_studys_page(served: Running) -> None:
+    page = get(f"{served.url}/", timeout=PATIENCE_S, follow_redirects=True)
+    assert (page.status_code, str(page.url)) == (200, f"{served.url}/study/")
+    assert "<title>Study</title>" in page.text
+    told = get(f"{served.url}/v1/study/", timeout=PATIENCE_S)
+    assert told.status_code == 404
+    assert "link of their own" in told.json()["message"]
 
 
 @pytest.mark.parametrize(

@@ -28,6 +28,17 @@ def test_score_and_convert_read_the_sample(command: Any, folder: Path) -> None:
     assert len(read(folder / "copy_samples.csv").trials) == len(sample().trials)
 
 
+def test_convert_joins_the_sample_with_files(command: Any, folder: Path) -> None:
+    write(sample(), folder / "mine_samples.parquet")
+    for people, users in (("column", 10), ("file", 2)):
+        out = f"{people}_samples.parquet"
+        left = command("convert", "sample", "mine_samples.parquet", "--join", people, "--out", out)
+        assert left.code == 0, left.err
+        trials = read(folder / out).trials
+        assert len(trials) == 2 * len(sample().trials)
+        assert len({one.user for one in trials}) == users
+
+
 def test_train_reads_the_sample(command: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     heard: list[str] = []
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from time import perf_counter
 
@@ -100,6 +101,18 @@ def test_rows_of_a_stream_without_a_user_are_nobodys(tmp_path: Path) -> None:
     recording = read(tmp_path, "user,t_ms,x,y", lines)
     assert [(trial.user, trial.trial) for trial in recording.trials] == [("ann", "0"), ("study", "0")]
     assert "rows without user left out: 30, the first is data row 30" in recording.notes
+
+
+@pytest.mark.parametrize("lines", [False, True])
+@pytest.mark.parametrize("points", [False, True])
+def test_a_null_in_the_place_of_a_record_is_counted(lines: bool, points: bool, tmp_path: Path) -> None:
+    records = [{"t_ms": t, **({"pos": [x, y]} if points else {"x": x, "y": y})} for t, x, y in ROWS]
+    given = [records[0], None, *records[1:4], None, *records[4:]]
+    path = tmp_path / "study.json"
+    path.write_text("\n".join(map(json.dumps, given)) if lines else json.dumps(given))
+    [recording] = read_any(path, columns={"x": "pos.0", "y": "pos.1"} if points else None)
+    assert recording.events.x.tolist() == [x for _, x, _ in ROWS]
+    assert "rows left out: 2, the first is data row 1: t, x or y is empty or too large" in recording.notes
 
 
 def test_a_long_word_beside_buttons_takes_no_long_time(tmp_path: Path) -> None:

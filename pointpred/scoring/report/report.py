@@ -348,7 +348,8 @@ def write_report(scores: Sequence[SetScore], path: str | Path) -> None:
     """Write what was scored, every table and figure, the statistics and the protocol to ``path``.
 
     A folder, or a name without an extension, gets the page ``report.html`` and for each set a folder with
-    each figure as SVG and PDF and each table as CSV and LaTeX (packages booktabs and longtable).
+    each figure as SVG and PDF and each table as CSV and LaTeX (packages booktabs and longtable), which has
+    the folder in its label: tab:FOLDER-scores.
     The same scores give the same bytes. The worst trials are drawn where ``score`` was asked to keep them.
     Names in recordings are not trusted: they are escaped. Raises ParameterError for an empty list or a set
     scored without ``hold``, MissingExtraError where the extra ``report`` is not installed, and OSError when
@@ -390,7 +391,7 @@ def _write_files(one: Shown, folder: Path) -> None:
             float_format=lambda value: f"{value:#.3g}".rstrip("."),
             na_rep="--",
             caption=caption.replace("%", r"\%"),
-            label=f"tab:{name}",
+            label=f"tab:{folder.name}-{name}",
             longtable=len(table) > MOST_ROWS,
         )
         write_whole(folder / f"{name}.tex", tex.encode())

@@ -258,9 +258,14 @@ def test_latex_has_every_row_and_no_bare_percent(paper):
     folder, scores = paper
     text = (folder / "lab_a" / "scores.tex").read_text(encoding="utf-8")
     assert text.count(r"\\") == len(scores[0].predictors) + 1
-    assert r"\label{tab:scores}" in text
-    for path in folder.glob("*/*.tex"):
-        assert not re.search(r"(?<!\\)%", path.read_text(encoding="utf-8"))
+    assert r"\label{tab:lab_a-scores}" in text
+    labels = set()
+    files = list(folder.glob("*/*.tex"))
+    for path in files:
+        text = path.read_text(encoding="utf-8")
+        assert not re.search(r"(?<!\\)%", text)
+        labels |= set(re.findall(r"\\label\{(.+?)\}", text))
+    assert len(labels) == len(files)  # of both sets, for one paper
 
 
 def test_a_figure_gives_the_same_pdf_each_time(score):

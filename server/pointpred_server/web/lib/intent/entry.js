@@ -4,7 +4,7 @@ import { ARMED } from "../laws/targets/prefetch.js";
 import { CENTRE_X, CENTRE_Y, FIELDS, HEIGHT, WIDTH } from "../laws/targets/rectangles.js";
 
 const COVERED_MS = 250; // how long an answer of the hit test is used
-const UNUSABLE = ":disabled, [inert], [inert] *, [aria-disabled=true]";
+const DISABLED = ":disabled, [inert], [inert] *, [aria-disabled=true]";
 const SEEN = { visibilityProperty: true, opacityProperty: true, contentVisibilityAuto: true };
 
 /** The middle and the length of what is seen of a side, px. */
@@ -72,9 +72,14 @@ export class Entry {
     return isHidden !== this.isHidden;
   }
 
-  /** Whether the pointer passes it by: it is disabled or inert, or takes no pointer events. */
+  /** Whether nobody can use it: it is disabled or inert, or says that it is disabled. */
+  get isDisabled() {
+    return this.element.matches(DISABLED);
+  }
+
+  /** Whether the pointer passes it by: it is disabled, or takes no pointer events. */
   get isUnusable() {
-    return this.element.matches(UNUSABLE) || getComputedStyle(this.shown).pointerEvents === "none";
+    return this.isDisabled || getComputedStyle(this.shown).pointerEvents === "none";
   }
 
   /** Whether something else, such as a dialog, lies over the middle of what is seen of it: of a wrapped link its largest part. */

@@ -337,7 +337,7 @@ export class Tracker {
 
 /** Whether an element can be used as a reason says: the keyboard reaches also what takes no pointer events. */
 function isReachable(entry, reason) {
-  return reason === "focus" || reason === "tab" || !entry.isUnusable;
+  return !(reason === "focus" || reason === "tab" ? entry.isDisabled : entry.isUnusable);
 }
 
 /** Whether a registration fires for a reason. */

@@ -31,13 +31,14 @@ export class Aim {
 
   /** Takes these targets in place of those before; throws a ParameterError, and then changes nothing. @param {readonly Target[]} targets */
   register(targets) {
-    const table = tableOf(targets);
+    const table = tableOf(targets),
+      keys = this.#keys.of(targets); // an id that is no text throws
     this.list = [...targets];
     this.ids = targets.map(({ id }) => id);
     this.#targets = [
       table,
       Float64Array.from(table, (row) => row[LOG_WEIGHT]),
-      this.#keys.of(targets),
+      keys,
       new Float64Array(table.length + 1),
     ];
     begin(this.memory, this.#targets);

@@ -15,7 +15,8 @@ export function tableOf(targets) {
   if (!Array.isArray(targets)) refuse("targets must be an array", targets);
   if (targets.length > MOST_TARGETS) refuse(`at most ${MOST_TARGETS} targets`, targets.length);
   /** @type {Set<unknown>} */ const ids = new Set([null, undefined, NaN]); // what names no target
-  const table = targets.map((target) => {
+  // map would leave holes out
+  const table = Array.from(targets, (target) => {
     const id = target?.id;
     if (ids.has(id)) refuse("each target must have an id of its own", id);
     ids.add(id);
