@@ -11,8 +11,7 @@ from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
 from pointpred_observers.interconnected.interconnection import Interconnection, theorem_3_2_1
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.interconnected.realisation import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import MissingInputs, PersidskiiStage
 from pointpred_observers.interconnected.simulation import (
     UNUSED,
     alone,

@@ -59,24 +59,17 @@ class Matrices(NamedTuple):
 class State(NamedTuple):
     """Whether there was a sample, and t; w minus its start, then the last inputs; which inputs were missing.
 
-    ``space`` is for a step of the integration.
+    Between them the numbers of a step, each of w and the inputs, and f (k).
     """
 
     clock: FloatArray
     both: FloatArray
-    space: FloatArray
-    absent: FloatArray
-
-
-class Space(NamedTuple):
-    """The numbers of a step: of w (q), or of w and the inputs; f (k); inputs between two samples."""
-
     total: FloatArray
     stage: FloatArray
     change: FloatArray
     first: FloatArray
     nonlinear: FloatArray
-    inputs: FloatArray
+    absent: FloatArray
 
 
 @law
@@ -105,8 +98,12 @@ def parts_of(memory: Memory) -> tuple[Matrices, State]:
     first_at = v2_at + m * m
     clock_at = first_at + m
     both_at = clock_at + 2
-    space_at = both_at + q + m
-    absent_at = space_at + 4 * (q + m) + k
+    total_at = both_at + q + m
+    stage_at = total_at + q + m
+    change_at = stage_at + q + m
+    step_at = change_at + q + m
+    f_at = step_at + q + m
+    absent_at = f_at + k
     matrices = Matrices(
         memory.rest[:n_at],
         memory.rest[n_at:l_at].reshape(q, q),
@@ -126,25 +123,15 @@ def parts_of(memory: Memory) -> tuple[Matrices, State]:
     )
     state = State(
         memory.rest[clock_at:both_at],
-        memory.rest[both_at:space_at],
-        memory.rest[space_at:absent_at],
+        memory.rest[both_at:total_at],
+        memory.rest[total_at:stage_at],
+        memory.rest[stage_at:change_at],
+        memory.rest[change_at:step_at],
+        memory.rest[step_at:f_at],
+        memory.rest[f_at:absent_at],
         memory.rest[absent_at : absent_at + m],
     )
     return matrices, state
-
-
-@law
-def space_of(m: Matrices, s: State, size: int) -> Space:
-    """The space for a step of ``size`` states."""
-    inputs_at = 4 * size + len(m.codes)
-    return Space(
-        s.space[:size],
-        s.space[size : 2 * size],
-        s.space[2 * size : 3 * size],
-        s.space[3 * size : 4 * size],
-        s.space[4 * size : inputs_at],
-        s.space[inputs_at : inputs_at + len(m.first)],
-    )
 
 
 @law
@@ -196,32 +183,30 @@ def flow(m: Matrices, s: State, row: FloatArray, length: float, h: float, missin
 
     The inputs behind w are states, linear up to those of ``row``; missing ones follow what replaces them.
     """
-    q, inputs = len(m.start), len(m.first)
-    size = q + inputs
-    space = space_of(m, s, size)
-    w, given = space.stage[:q], space.stage[q:]
+    q, size = len(m.start), len(s.both)
+    w, given = s.stage[:q], s.stage[q:]
     for i in range(size):
-        space.first[i] = s.both[i]
-        space.stage[i] = s.both[i]
-        space.total[i] = 0.0
+        s.first[i] = s.both[i]
+        s.stage[i] = s.both[i]
+        s.total[i] = 0.0
     for part in range(4):
         if missing:
-            replace(m, w, given, space.nonlinear, s.absent)
-        slope(m, w, given, space.nonlinear, space.change)
-        for j in range(inputs):
+            replace(m, w, given, s.nonlinear, s.absent)
+        slope(m, w, given, s.nonlinear, s.change)
+        for j in range(len(m.first)):
             if s.absent[j] == 0.0:
-                space.change[q + j] = (row[1 + j] - space.first[q + j]) / length
+                s.change[q + j] = (row[1 + j] - s.first[q + j]) / length
             elif m.valued[j] == 1.0:
-                space.change[q + j] = 0.0
+                s.change[q + j] = 0.0
             else:
-                space.change[q + j] = onward(m, j, w, given, space.nonlinear)
+                s.change[q + j] = onward(m, j, w, given, s.nonlinear)
         weight = 1.0 if part == 0 or part == 3 else 2.0
         ahead = h if part == 2 else 0.5 * h
         for i in range(size):
-            space.total[i] += weight * space.change[i]
-            space.stage[i] = space.first[i] + ahead * space.change[i]
+            s.total[i] += weight * s.change[i]
+            s.stage[i] = s.first[i] + ahead * s.change[i]
     for i in range(size):
-        s.both[i] = space.first[i] + h / 6.0 * space.total[i]
+        s.both[i] = s.first[i] + h / 6.0 * s.total[i]
 
 
 @law
@@ -229,15 +214,13 @@ def move(memory: Memory, m: Matrices, s: State, row: FloatArray, missing: bool) 
     """Carry w, and missing inputs, from the last sample to ``row``."""
     h = row[0] - s.clock[1]
     if memory.discrete == 1.0:
-        q, inputs = len(m.start), len(m.first)
-        w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
-        slope(m, w, last, space.nonlinear, space.total)
-        for j in range(inputs):
-            space.inputs[j] = onward(m, j, w, last, space.nonlinear) if missing else 0.0
-        for i in range(q):
-            w[i] = space.total[i]
-        for j in range(inputs):
-            last[j] = space.inputs[j]
+        q = len(m.start)
+        w, last = s.both[:q], s.both[q:]
+        slope(m, w, last, s.nonlinear, s.total)
+        for j in range(len(m.first)):
+            s.total[q + j] = onward(m, j, w, last, s.nonlinear) if missing else 0.0
+        for i in range(len(s.both)):
+            s.both[i] = s.total[i]
         return
     count = max(1, ceil(min(h / memory.step_s, STEPS_MOST)))
     for i in range(count):
@@ -287,13 +270,9 @@ def advance(memory: Memory, m: Matrices, s: State, row: FloatArray) -> int:
         for i in range(q):
             w[i] += m.start[i]
         move(memory, m, s, row, missing)
+    measure(s, last, row)
     if missing:
-        measure(s, last, row)
-        space = space_of(m, s, q)
-        replace(m, w, last, space.nonlinear, s.absent)
-    else:
-        for j in range(inputs):
-            last[j] = row[1 + j]
+        replace(m, w, last, s.nonlinear, s.absent)
     for i in range(q):
         w[i] -= m.start[i]
     s.clock[0], s.clock[1] = 1.0, row[0]
@@ -312,12 +291,12 @@ def along_both(total: float, row: FloatArray, one: FloatArray, other: FloatArray
 def read(m: Matrices, s: State, out: FloatArray) -> None:
     """R0 w + R1 f(Jw + R i) + R2 i."""
     q = len(m.start)
-    w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
+    w, last = s.both[:q], s.both[q:]
     for j in range(len(m.codes)):
         argument = along_both(along(0.0, m.R[j], last), m.J[j], w, m.start)
-        space.nonlinear[j] = nonlinearity.value(m.codes[j], argument)
+        s.nonlinear[j] = nonlinearity.value(m.codes[j], argument)
     for i in range(len(m.R0)):
-        out[i] = along(along(along_both(0.0, m.R0[i], w, m.start), m.R1[i], space.nonlinear), m.R2[i], last)
+        out[i] = along(along(along_both(0.0, m.R0[i], w, m.start), m.R1[i], s.nonlinear), m.R2[i], last)
 
 
 @law

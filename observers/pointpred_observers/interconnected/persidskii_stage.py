@@ -1,9 +1,11 @@
-"""Observers and regulators of Persidskii form as compiled stages on irregular samples."""
+"""Observers and regulators of Persidskii form as stages on irregular samples, compiled or in numpy."""
 
 from __future__ import annotations
 
+from math import ceil
 from typing import Any
 
+import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -12,14 +14,245 @@ from pointpred.parameter import option, parameter
 from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import CompiledStage
 from pointpred_observers.interconnected import persidskii_law as law
-from pointpred_observers.interconnected.realisation import LONGEST_S, MissingInputs, PlainLaw, Realisation
-from pointpred_observers.numerics.matrices import TIMES, matrix, one_of
+from pointpred_observers.numerics.eigenvalues import perron_root
+from pointpred_observers.numerics.matrices import TIMES, instance, matrix, one_of
 from pointpred_observers.plants.generator import Generator, fitted
 from pointpred_observers.plants.linear_systems import Plant, as_plant
 from pointpred_observers.plants.nonlinearity import nonlinearity
+from pointpred_observers.plants.persidskii import column
 
+SHAPES = {
+    "N": "qq",
+    "L": "qk",
+    "J": "rq",
+    "K": "qm",
+    "R0": "pq",
+    "R1": "pk",
+    "R": "rm",
+    "R2": "pm",
+    "V0": "mq",
+    "V1": "mk",
+    "V2": "mm",
+}
+"""Of states q, components k and arguments r of f, inputs m and outputs p; the V replace missing inputs."""
+LONGEST_S = 1e-2
+"""The longest step by default, s."""
 NEVER = 1e300
 """A time that no interval reaches, s."""
+
+
+class MissingInputs(msgspec.Struct, frozen=True):
+    """What replaces the inputs i of w' = N w + L f(Jw + R i) + K i while they are not measured.
+
+    Of a *value* the input is V0 w + V1 f(.). Any other follows i' = V0 w + V1 f(.) + V2 i from its last
+    measurement on; in discrete time this is the next i. ``first``: the inputs before their first measurement.
+    V0 (inputs, q), V1 (inputs, k), V2 (inputs, inputs): arrays, or functions of t (of the index).
+    """
+
+    value: tuple[bool, ...]
+    V0: Any
+    V1: Any
+    V2: Any
+    first: FloatArray
+
+    @classmethod
+    def expected(cls, V0: Any, V1: Any, inputs: int, time: str = "continuous") -> MissingInputs:
+        """The first inputs are outputs, expected to be V0 w + V1 f(.); the others keep their last value."""
+        v0 = matrix("V0", V0)
+        v1 = matrix("V1", V1, len(v0))
+        rest = inputs - len(v0)
+        return cls(
+            (True,) * len(v0) + (False,) * rest,
+            np.pad(v0, ((0, rest), (0, 0))),
+            np.pad(v1, ((0, rest), (0, 0))),
+            np.eye(inputs) if time == "discrete" else np.zeros((inputs, inputs)),
+            np.zeros(inputs),
+        )
+
+
+class Realisation:
+    """w' = N w + L f(Jw + R i) + K i with the output R0 w + R1 f(.) + R2 i, and its law in numpy.
+
+    Arguments as for ``PersidskiiStage``. The law is that of ``persidskii_law``, where f or matrices are
+    functions; slow, 0.15 ms and more. Its memory: whether there was a sample, t; w minus its start (q); the
+    last inputs; which were missing.
+    """
+
+    def __init__(
+        self, f: Any, start: Any, missing: Any, time: str, step_s: float | None, gap_s: float, **given: Any
+    ) -> None:
+        self._given = given
+        self._constant: dict[str, FloatArray] = {}
+        self.discrete, self.step_s, self.gap_s = time == "discrete", step_s, gap_s
+        q = len(matrix("N", self._now("N", 0.0)))
+        k, m = (column(name, self._now(name, 0.0), q).shape[1] for name in ("L", "K"))
+        inner, out = self._now("J", 0.0), self._now("R0", 0.0)
+        elementwise = not callable(f) or getattr(f, "codes", None) is not None
+        r = k if elementwise or inner is None else len(matrix("J", inner, None, q))
+        p = q if out is None else len(matrix("R0", out, None, q))
+        self._sizes = {"q": q, "k": k, "r": r, "m": m, "p": p}
+        self.f = nonlinearity(f, k)
+        self.start = np.zeros(q) if start is None else matrix("start", start, 1, q)[0]
+        if missing is None:
+            missing = MissingInputs.expected(np.zeros((0, q)), np.zeros((0, k)), m, time)
+        if len(instance("missing", missing, MissingInputs).value) != m:
+            raise ParameterError(f"missing needs {m} inputs, received {len(missing.value)}", field="missing")
+        self._given |= {name: getattr(missing, name) for name in ("V0", "V1", "V2")}
+        self.valued, self.first = np.array(missing.value, bool), matrix("first", missing.first, 1, m)[0]
+        first = {name: self.at(name, 0.0) for name in SHAPES}
+        self._constant |= {name: one for name, one in first.items() if not callable(self._given[name])}
+        if (np.abs(first["R"][:, self.valued]) @ np.abs(first["V1"][self.valued])).any():
+            raise ParameterError(
+                "an input that enters f cannot be replaced by a value of f: set its rows of V1 to zero",
+                field="missing",
+            )
+
+    @property
+    def sizes(self) -> tuple[int, int, int, int]:
+        """Of w, of f, of the inputs and of the outputs."""
+        q, k, m, p = (self._sizes[one] for one in "qkmp")
+        return q, k, m, p
+
+    @property
+    def compiled(self) -> bool:
+        """Whether the compiled law runs: f has names, and no matrix is a function."""
+        return self.f.codes is not None and len(self._constant) == len(SHAPES)
+
+    def _now(self, name: str, t: float) -> Any:
+        one = self._given[name]
+        return one(t) if callable(one) else one
+
+    def at(self, name: str, t: float) -> FloatArray:
+        """A matrix at a time; raises ParameterError for a shape."""
+        if name in self._constant:
+            return self._constant[name]
+        rows, columns = (self._sizes[one] for one in SHAPES[name])
+        now = self._now(name, t)
+        if now is None or (self._sizes["k"] == 0 and name in ("J", "R")):
+            return np.eye(rows, columns) if name == "R0" else np.zeros((rows, columns))
+        return matrix(name, now, rows, columns)
+
+    def flat(self) -> list[FloatArray]:
+        """What the compiled law holds, at 0."""
+        parts = {name: self.at(name, 0.0) for name in SHAPES}
+        replacing = [parts.pop(name) for name in ("V0", "V1", "V2")]
+        return [*parts.values(), self.start, self.valued.astype(np.float64), *replacing, self.first]
+
+    def fastest(self, t: float) -> float:
+        """A bound of the rates of the stage at a time in 1/s, with its inputs measured or missing.
+
+        The Perron root of abs(N) + abs(L) S abs(J) bounds each eigenvalue of N + L D J with abs(D) <= S, in
+        any units.
+        """
+        n, ell, j, k, r, v0, v1, v2 = (self.at(x, t) for x in ("N", "L", "J", "K", "R", "V0", "V1", "V2"))
+        valued, rest = self.valued, ~self.valued
+        spread = np.zeros((ell.shape[1], len(j)))
+        if self.f.slopes is not None and ell.shape[1] == len(j):
+            steepest = np.abs(np.array(self.f.slopes, np.float64).reshape(-1, 2)).max(axis=1)
+            spread = np.diag(np.where(np.isfinite(steepest), steepest, 0.0))
+        measured = np.abs(n) + np.abs(ell) @ spread @ np.abs(j)
+        # Missing inputs that are values are functions of w; the others are states.
+        moved = np.abs(ell + k[:, valued] @ v1[valued]) @ spread
+        turned = np.abs(v1[rest]) @ spread
+        within = np.abs(n + k[:, valued] @ v0[valued]) + moved @ np.abs(j + r[:, valued] @ v0[valued])
+        bridged = np.block(
+            [
+                [within, np.abs(k[:, rest]) + moved @ np.abs(r[:, rest])],
+                [
+                    np.abs(v0[rest]) + turned @ np.abs(j),
+                    np.abs(v2[np.ix_(rest, rest)]) + turned @ np.abs(r[:, rest]),
+                ],
+            ]
+        )
+        return max(perron_root(measured), perron_root(bridged))
+
+    def longest(self, t: float) -> float:
+        """The longest step from t on, in s: it follows the fastest eigenvalue of the matrices."""
+        return self.step_s or min(LONGEST_S, 1.0 / max(self.fastest(t), 1e-300))
+
+    def bridged(self, t: float) -> float:
+        """The longest interval from t on that is bridged, in s."""
+        if not self.compiled or self.step_s or not np.isfinite(self.f.slopes or ()).all():
+            return law.STEPS_MOST * self.longest(t)
+        return law.STEPS_MOST * (1.0 / max(self.fastest(t), 1e-290))
+
+    def step(self, memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
+        """Process the sample (t, inputs), NaN for a missing one, into ``out``; see the compiled law."""
+        q, _, m, _ = self.sizes
+        sample, w, last, absent = np.split(memory, (2, 2 + q, 2 + q + m))
+        started, t, now = sample[0] == 1.0, float(sample[1]), float(row[0])
+        if started and now < t:
+            return law.BACKWARDS
+        if started and self.discrete and now not in (t, t + 1.0):
+            return law.SKIPPED
+        measured = ~np.isnan(row[1:])
+        x, inputs = w + self.start, last.copy()
+        verdict = law.REPEATED if started and now == t else law.ACCEPTED
+        if verdict == law.ACCEPTED:
+            missing = (absent == 1.0) | ~measured
+            if not started or (not self.discrete and now - t > self.gap_s):
+                x, inputs = self.start.copy(), self.first.copy()
+            elif self.discrete:
+                onward, x = self._sum("V", t, x, inputs), self._sum("N", t, x, inputs)
+                inputs = np.where(missing, onward, inputs)
+            elif now - t > self.bridged(t):
+                return law.TOO_LONG
+            else:
+                x, inputs = self._flown(t, x, inputs, row, missing)
+            absent[~measured] = 1.0
+        inputs[measured] = row[1:][measured]
+        absent[measured] = 0.0
+        if verdict == law.ACCEPTED:
+            inputs = self._replaced(now, x, inputs, absent == 1.0)
+        sample[:] = 1.0, now
+        w[:], last[:] = x - self.start, inputs
+        out[:] = self._sum("R", now, x, inputs)
+        return verdict
+
+    def _f(self, t: float, x: FloatArray, inputs: FloatArray) -> FloatArray:
+        if not self._sizes["k"]:
+            return np.zeros(0)
+        return self.f(self.at("J", t) @ x + self.at("R", t) @ inputs)
+
+    def _sum(self, what: str, t: float, x: FloatArray, inputs: FloatArray) -> FloatArray:
+        """The change of w ("N"), what missing inputs follow ("V"), or the outputs ("R")."""
+        names = {"N": ("N", "L", "K"), "V": ("V0", "V1", "V2"), "R": ("R0", "R1", "R2")}[what]
+        first, second, third = (self.at(name, t) for name in names)
+        total: FloatArray = first @ x + second @ self._f(t, x, inputs) + third @ inputs
+        return total
+
+    def _replaced(self, t: float, x: FloatArray, inputs: FloatArray, missing: BoolArray) -> FloatArray:
+        """The inputs with those that are missing and a value at their value."""
+        chosen = missing & self.valued
+        if not chosen.any():
+            return inputs
+        inputs = np.where(chosen, self.at("V0", t) @ x, inputs)
+        return np.where(chosen, inputs + self.at("V1", t) @ self._f(t, x, inputs), inputs)
+
+    def _flown(
+        self, t: float, x: FloatArray, inputs: FloatArray, row: FloatArray, missing: BoolArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """The state and the inputs carried to the next sample by the classical Runge-Kutta method."""
+        q, now = len(x), float(row[0])
+        count = max(1, ceil(min((now - t) / self.longest(t), law.STEPS_MOST)))
+        h, both = (now - t) / count, np.concatenate([x, inputs])
+        for n in range(count):
+            begin = t + n * h
+            rise = (row[1:] - both[q:]) / (now - t - n * h)
+
+            def rate(s: float, v: FloatArray, rise: FloatArray = rise) -> FloatArray:
+                x, inputs = v[:q], self._replaced(s, v[:q], v[q:], missing)
+                if missing.any():
+                    onward = np.where(self.valued, 0.0, self._sum("V", s, x, inputs))
+                    rise = np.where(missing, onward, rise)
+                return np.concatenate([self._sum("N", s, x, inputs), rise])
+
+            k1 = rate(begin, both)
+            k2 = rate(begin + 0.5 * h, both + 0.5 * h * k1)
+            k3 = rate(begin + 0.5 * h, both + 0.5 * h * k2)
+            k4 = rate(begin + h, both + h * k3)
+            both = both + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
+        return both[:q], both[q:]
 
 
 class PersidskiiStage(CompiledStage):
@@ -85,35 +318,28 @@ class PersidskiiStage(CompiledStage):
         **values: Any,
     ) -> None:
         self.declare(**values)
-        named = not callable(f) or getattr(f, "codes", None) is not None
-        parts = Realisation(named, missing, self.time, N=N, L=L, J=J, K=K, R0=R0, R1=R1, R=R, R2=R2)
-        nonlinear = nonlinearity(f, parts.k)
-        self.inputs, self.width = parts.inputs, parts.outputs
-        first = np.zeros(parts.q) if start is None else matrix("start", start, 1, parts.q)[0]
-        self._plain: PlainLaw | None = None
-        own_step, speed = self.step_s, parts.fastest(0.0, nonlinear.slopes)
-        self.step_s = own_step or min(LONGEST_S, 1.0 / max(speed, 1e-300))
-        if nonlinear.codes is None or parts.varies:
-            self._plain = PlainLaw(parts, nonlinear, first, own_step, self.gap_s)
-            settings, states = np.zeros(0), self._plain.states
-            self._bridged = self._plain.bridged(0.0)
-        else:
-            limited = np.isfinite(nonlinear.slopes or ()).all() and not own_step
-            self._bridged = law.STEPS_MOST * (1.0 / max(speed, 1e-290) if limited else self.step_s)
-            gap = NEVER if self.gap_s is None else self.gap_s
-            sizes = [parts.q, parts.k, self.inputs, self.width, float(parts.discrete)]
-            shape = [*sizes, self.step_s, gap, self._bridged, *nonlinear.codes]
-            settings = np.concatenate([np.array(shape), *(one.ravel() for one in parts.flat(first))])
-            states = law.floats(parts.q, parts.k, self.inputs)
-        if not parts.discrete and self.gap_s is not None and self.gap_s > self._bridged:
+        gap = NEVER if self.gap_s is None else self.gap_s
+        parts = Realisation(
+            f, start, missing, self.time, self.step_s, gap, N=N, L=L, J=J, K=K, R0=R0, R1=R1, R=R, R2=R2
+        )
+        q, k, self.inputs, self.width = parts.sizes
+        self._plain = None if parts.compiled else parts
+        bridged = self._bridged = parts.bridged(0.0)
+        self.step_s = parts.longest(0.0)
+        if not parts.discrete and self.gap_s is not None and self.gap_s > bridged:
             raise ParameterError(
-                f"gap_s must be at most {self._bridged:g} s, {law.STEPS_MOST:.0e} steps of the stage, "
+                f"gap_s must be at most {bridged:g} s, {law.STEPS_MOST:.0e} steps of the stage, "
                 f"received {self.gap_s!r}: give a shorter gap_s",
                 field="gap_s",
                 value=self.gap_s,
             )
-        self._state_at = len(settings)
-        self.lay_out(settings, states)
+        if parts.compiled:
+            sizes = [q, k, self.inputs, self.width, float(parts.discrete), self.step_s, gap, bridged]
+            numbers = np.array([*sizes, *(parts.f.codes or ())], np.float64)
+            settings = np.concatenate([numbers, *(one.ravel() for one in parts.flat())])
+            self.lay_out(settings, law.floats(q, k, self.inputs))
+        else:
+            self.lay_out([], 2 + q + 2 * self.inputs)
 
     def declare(self, **values: Any) -> None:
         """Check the values."""
@@ -122,7 +348,7 @@ class PersidskiiStage(CompiledStage):
 
     def _clock(self) -> tuple[bool, float]:
         """Whether there was a sample, and its time."""
-        started, t = self._memory[self._state_at : self._state_at + 2].tolist()
+        started, t = self._memory[self._first : self._first + 2].tolist()
         return started == 1.0, t
 
     def _refused(self, t: float, last: float) -> EventError:
@@ -144,38 +370,30 @@ class PersidskiiStage(CompiledStage):
         )
 
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
-        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory."""
-        if self.time == "discrete":
-            self._check_steps(begin, rows[:, 0])
-        if self._plain is None:
-            self._check_intervals(begin, rows[:, 0])
+        """Run the law over rows, resetting before each row marked ``begin``; continues from the memory.
+
+        Raises EventError for an interval that is too long, or a skipped index, before anything changes.
+        """
+        plain, (started, last) = self._plain, self._clock()
+        for first, t in zip(begin.tolist(), rows[:, 0].tolist(), strict=True):
+            if started and not first and t > last:
+                if self.time == "discrete":
+                    far = t != last + 1.0
+                else:
+                    far = plain is None and self.gap_s is None and t - last > self._bridged
+                if far:
+                    raise self._refused(t, last)
+            if first or not started or t > last:
+                started, last = True, t
+        if plain is None:
             return super().walk(begin, rows)
         out = np.full((len(rows), self.width), np.nan)
         for i, row in enumerate(np.asarray(rows, np.float64)):
             if begin[i]:
                 self._memory[:] = 0.0
-            if self._plain.step(self._memory, row, out[i]) == law.TOO_LONG:
+            if plain.step(self._memory, row, out[i]) == law.TOO_LONG:
                 raise self._refused(row[0], self._clock()[1])
         return out
-
-    def _check_intervals(self, begin: BoolArray, times: FloatArray) -> None:
-        """Raise EventError for an interval that is too long, before anything changes."""
-        if self.time == "discrete" or self.gap_s is not None or not len(times):
-            return
-        started, last = self._clock()
-        before = np.concatenate([[last] if started else times[:1], times[:-1]])
-        for i in np.flatnonzero((times - before > self._bridged) & ~begin)[:1]:
-            raise self._refused(float(times[i]), float(before[i]))
-
-    def _check_steps(self, begin: BoolArray, times: FloatArray) -> None:
-        """The same in discrete time, where an index is the last one, the next one, or runs backwards."""
-        started, before = self._clock()
-        last = before if started else None
-        for first, t in zip(begin.tolist(), times.tolist(), strict=True):
-            if first or last is None or t == last + 1.0:
-                last = t
-            elif not t <= last:
-                raise self._refused(t, last)
 
     def update(self, t: float, inputs: ArrayLike | None = ()) -> FloatArray:
         """Process the inputs measured at ``t`` (s, or the index) and return the outputs at t.

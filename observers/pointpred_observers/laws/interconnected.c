@@ -15,7 +15,7 @@ int64_t interconnected_persidskii_law_floats(int64_t q, int64_t k, int64_t input
 
 /* The matrices and the state in their places. */
 T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ interconnected_persidskii_law_parts_of(interconnected_persidskii_law_Memory * memory) {
-  int64_t q, k, m, p, n_at, l_at, j_at, k_at, r0_at, r1_at, r_at, r2_at, start_at, valued_at, v0_at, v1_at, v2_at, first_at, clock_at, both_at, space_at, absent_at;
+  int64_t q, k, m, p, n_at, l_at, j_at, k_at, r0_at, r1_at, r_at, r2_at, start_at, valued_at, v0_at, v1_at, v2_at, first_at, clock_at, both_at, total_at, stage_at, change_at, step_at, f_at, absent_at;
   interconnected_persidskii_law_Matrices matrices;
   interconnected_persidskii_law_State state;
   q = (int64_t)memory->states;
@@ -38,18 +38,15 @@ T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ i
   first_at = v2_at + m * m;
   clock_at = first_at + m;
   both_at = clock_at + 2;
-  space_at = both_at + q + m;
-  absent_at = space_at + 4 * (q + m) + k;
+  total_at = both_at + q + m;
+  stage_at = total_at + q + m;
+  change_at = stage_at + q + m;
+  step_at = change_at + q + m;
+  f_at = step_at + q + m;
+  absent_at = f_at + k;
   matrices = (interconnected_persidskii_law_Matrices){(Vector){(Vector){memory->rest, -1}.p, n_at}, (Table){(Vector){(Vector){memory->rest, -1}.p + n_at, l_at - n_at}.p, q, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + l_at, j_at - l_at}.p, q, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + j_at, k_at - j_at}.p, k, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + k_at, r0_at - k_at}.p, q, m}, (Table){(Vector){(Vector){memory->rest, -1}.p + r0_at, r1_at - r0_at}.p, p, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + r1_at, r_at - r1_at}.p, p, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + r_at, r2_at - r_at}.p, k, m}, (Table){(Vector){(Vector){memory->rest, -1}.p + r2_at, start_at - r2_at}.p, p, m}, (Vector){(Vector){memory->rest, -1}.p + start_at, valued_at - start_at}, (Vector){(Vector){memory->rest, -1}.p + valued_at, v0_at - valued_at}, (Table){(Vector){(Vector){memory->rest, -1}.p + v0_at, v1_at - v0_at}.p, m, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + v1_at, v2_at - v1_at}.p, m, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + v2_at, first_at - v2_at}.p, m, m}, (Vector){(Vector){memory->rest, -1}.p + first_at, clock_at - first_at}};
-  state = (interconnected_persidskii_law_State){(Vector){(Vector){memory->rest, -1}.p + clock_at, both_at - clock_at}, (Vector){(Vector){memory->rest, -1}.p + both_at, space_at - both_at}, (Vector){(Vector){memory->rest, -1}.p + space_at, absent_at - space_at}, (Vector){(Vector){memory->rest, -1}.p + absent_at, absent_at + m - absent_at}};
+  state = (interconnected_persidskii_law_State){(Vector){(Vector){memory->rest, -1}.p + clock_at, both_at - clock_at}, (Vector){(Vector){memory->rest, -1}.p + both_at, total_at - both_at}, (Vector){(Vector){memory->rest, -1}.p + total_at, stage_at - total_at}, (Vector){(Vector){memory->rest, -1}.p + stage_at, change_at - stage_at}, (Vector){(Vector){memory->rest, -1}.p + change_at, step_at - change_at}, (Vector){(Vector){memory->rest, -1}.p + step_at, f_at - step_at}, (Vector){(Vector){memory->rest, -1}.p + f_at, absent_at - f_at}, (Vector){(Vector){memory->rest, -1}.p + absent_at, absent_at + m - absent_at}};
   return (T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_){matrices, state};
-}
-
-/* The space for a step of ``size`` states. */
-interconnected_persidskii_law_Space interconnected_persidskii_law_space_of(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, int64_t size) {
-  int64_t inputs_at;
-  inputs_at = 4 * size + m.codes.n;
-  return (interconnected_persidskii_law_Space){(Vector){s.space.p, size}, (Vector){s.space.p + size, 2 * size - size}, (Vector){s.space.p + 2 * size, 3 * size - 2 * size}, (Vector){s.space.p + 3 * size, 4 * size - 3 * size}, (Vector){s.space.p + 4 * size, inputs_at - 4 * size}, (Vector){s.space.p + inputs_at, inputs_at + m.first.n - inputs_at}};
 }
 
 /* A total and a row of a matrix times a vector. */
@@ -97,69 +94,60 @@ double interconnected_persidskii_law_onward(interconnected_persidskii_law_Matric
 
 /* One step of the classical Runge-Kutta method, of ``h`` s, where ``length`` s are left until ``row``. */
 void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h, bool missing) {
-  int64_t q, inputs, size;
-  interconnected_persidskii_law_Space space;
+  int64_t q, size;
   Vector w, given;
   double weight, ahead;
   q = m.start.n;
-  inputs = m.first.n;
-  size = q + inputs;
-  space = interconnected_persidskii_law_space_of(m, s, size);
-  w = (Vector){space.stage.p, q};
-  given = (Vector){space.stage.p + q, space.stage.n - q};
+  size = s.both.n;
+  w = (Vector){s.stage.p, q};
+  given = (Vector){s.stage.p + q, s.stage.n - q};
   for (int64_t i = 0; i < size; i++) {
-    space.first.p[i] = s.both.p[i];
-    space.stage.p[i] = s.both.p[i];
-    space.total.p[i] = 0.0;
+    s.first.p[i] = s.both.p[i];
+    s.stage.p[i] = s.both.p[i];
+    s.total.p[i] = 0.0;
   }
   for (int64_t part = 0; part < 4; part++) {
     if (missing) {
-      interconnected_persidskii_law_replace(m, w, given, space.nonlinear, s.absent);
+      interconnected_persidskii_law_replace(m, w, given, s.nonlinear, s.absent);
     }
-    interconnected_persidskii_law_slope(m, w, given, space.nonlinear, space.change);
-    for (int64_t j = 0; j < inputs; j++) {
+    interconnected_persidskii_law_slope(m, w, given, s.nonlinear, s.change);
+    for (int64_t j = 0, end_1 = m.first.n; j < end_1; j++) {
       if (s.absent.p[j] == 0.0) {
-        space.change.p[q + j] = (row.p[1 + j] - space.first.p[q + j]) / length;
+        s.change.p[q + j] = (row.p[1 + j] - s.first.p[q + j]) / length;
       } else if (m.valued.p[j] == 1.0) {
-        space.change.p[q + j] = 0.0;
+        s.change.p[q + j] = 0.0;
       } else {
-        space.change.p[q + j] = interconnected_persidskii_law_onward(m, j, w, given, space.nonlinear);
+        s.change.p[q + j] = interconnected_persidskii_law_onward(m, j, w, given, s.nonlinear);
       }
     }
     weight = part == 0 || part == 3 ? 1.0 : 2.0;
     ahead = part == 2 ? h : 0.5 * h;
     for (int64_t i = 0; i < size; i++) {
-      space.total.p[i] += weight * space.change.p[i];
-      space.stage.p[i] = space.first.p[i] + ahead * space.change.p[i];
+      s.total.p[i] += weight * s.change.p[i];
+      s.stage.p[i] = s.first.p[i] + ahead * s.change.p[i];
     }
   }
   for (int64_t i = 0; i < size; i++) {
-    s.both.p[i] = space.first.p[i] + h / 6.0 * space.total.p[i];
+    s.both.p[i] = s.first.p[i] + h / 6.0 * s.total.p[i];
   }
 }
 
 /* Carry w, and missing inputs, from the last sample to ``row``. */
 void interconnected_persidskii_law_move(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, bool missing) {
   double h;
-  int64_t q, inputs, count;
+  int64_t q, count;
   Vector w, last;
-  interconnected_persidskii_law_Space space;
   h = row.p[0] - s.clock.p[1];
   if (memory->discrete == 1.0) {
     q = m.start.n;
-    inputs = m.first.n;
     w = (Vector){s.both.p, q};
     last = (Vector){s.both.p + q, s.both.n - q};
-    space = interconnected_persidskii_law_space_of(m, s, q);
-    interconnected_persidskii_law_slope(m, w, last, space.nonlinear, space.total);
-    for (int64_t j = 0; j < inputs; j++) {
-      space.inputs.p[j] = missing ? interconnected_persidskii_law_onward(m, j, w, last, space.nonlinear) : 0.0;
+    interconnected_persidskii_law_slope(m, w, last, s.nonlinear, s.total);
+    for (int64_t j = 0, end_1 = m.first.n; j < end_1; j++) {
+      s.total.p[q + j] = missing ? interconnected_persidskii_law_onward(m, j, w, last, s.nonlinear) : 0.0;
     }
-    for (int64_t i = 0; i < q; i++) {
-      w.p[i] = space.total.p[i];
-    }
-    for (int64_t j = 0; j < inputs; j++) {
-      last.p[j] = space.inputs.p[j];
+    for (int64_t i = 0, end_2 = s.both.n; i < end_2; i++) {
+      s.both.p[i] = s.total.p[i];
     }
     return;
   }
@@ -185,7 +173,6 @@ int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memo
   Vector w, last;
   bool started, discrete, missing, begin;
   double h;
-  interconnected_persidskii_law_Space space;
   q = m.start.n;
   inputs = m.first.n;
   w = (Vector){s.both.p, q};
@@ -229,14 +216,9 @@ int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memo
     }
     interconnected_persidskii_law_move(memory, m, s, row, missing);
   }
+  interconnected_persidskii_law_measure(s, last, row);
   if (missing) {
-    interconnected_persidskii_law_measure(s, last, row);
-    space = interconnected_persidskii_law_space_of(m, s, q);
-    interconnected_persidskii_law_replace(m, w, last, space.nonlinear, s.absent);
-  } else {
-    for (int64_t j = 0; j < inputs; j++) {
-      last.p[j] = row.p[1 + j];
-    }
+    interconnected_persidskii_law_replace(m, w, last, s.nonlinear, s.absent);
   }
   for (int64_t i = 0; i < q; i++) {
     w.p[i] -= m.start.p[i];
@@ -258,18 +240,16 @@ double interconnected_persidskii_law_along_both(double total, Vector row, Vector
 void interconnected_persidskii_law_read(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector out) {
   int64_t q;
   Vector w, last;
-  interconnected_persidskii_law_Space space;
   double argument;
   q = m.start.n;
   w = (Vector){s.both.p, q};
   last = (Vector){s.both.p + q, s.both.n - q};
-  space = interconnected_persidskii_law_space_of(m, s, q);
   for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
     argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){m.R.p + j * m.R.m, m.R.m}, last), (Vector){m.J.p + j * m.J.m, m.J.m}, w, m.start);
-    space.nonlinear.p[j] = plants_nonlinearity_value(m.codes.p[j], argument);
+    s.nonlinear.p[j] = plants_nonlinearity_value(m.codes.p[j], argument);
   }
   for (int64_t i = 0, end_2 = m.R0.n; i < end_2; i++) {
-    out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along_both(0.0, (Vector){m.R0.p + i * m.R0.m, m.R0.m}, w, m.start), (Vector){m.R1.p + i * m.R1.m, m.R1.m}, space.nonlinear), (Vector){m.R2.p + i * m.R2.m, m.R2.m}, last);
+    out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along_both(0.0, (Vector){m.R0.p + i * m.R0.m, m.R0.m}, w, m.start), (Vector){m.R1.p + i * m.R1.m, m.R1.m}, s.nonlinear), (Vector){m.R2.p + i * m.R2.m, m.R2.m}, last);
   }
 }
 

@@ -99,9 +99,8 @@ typedef struct { double f0; double f1; double f2; double f3; } T4d;
 typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; } T7d;
 typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } camera_velocity_FlowRow;
 typedef struct { Vector codes; Table N; Table L; Table J; Table K; Table R0; Table R1; Table R; Table R2; Vector start; Vector valued; Table V0; Table V1; Table V2; Vector first; } interconnected_persidskii_law_Matrices;
-typedef struct { Vector clock; Vector both; Vector space; Vector absent; } interconnected_persidskii_law_State;
+typedef struct { Vector clock; Vector both; Vector total; Vector stage; Vector change; Vector first; Vector nonlinear; Vector absent; } interconnected_persidskii_law_State;
 typedef struct { interconnected_persidskii_law_Matrices f0; interconnected_persidskii_law_State f1; } T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_;
-typedef struct { Vector total; Vector stage; Vector change; Vector first; Vector nonlinear; Vector inputs; } interconnected_persidskii_law_Space;
 typedef struct { Vector start; Table gain; Vector clock; Vector theta; Vector last; Vector between; Vector stage; Vector change; Vector total; } regressors_gradient_Parts;
 typedef struct { Table D; Vector y; } regressors_gradient_Sample;
 typedef struct {
@@ -280,7 +279,6 @@ T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ i
 void interconnected_persidskii_law_read(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector out);
 void interconnected_persidskii_law_replace(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector absent);
 void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector to);
-interconnected_persidskii_law_Space interconnected_persidskii_law_space_of(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, int64_t size);
 int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out);
 void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
