@@ -5,9 +5,9 @@ from pointpred_observers.interconnected.assumptions import (
     assumption_3_2_2,
     remark_3_2_2,
 )
-from pointpred_observers.interconnected.interconnection import theorem_3_2_1
+from pointpred_observers.interconnected.design import theorem_3_2_1
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
-from pointpred_observers.interconnected.state_feedback import design_state_feedback
+from pointpred_observers.interconnected.regulator import design_state_feedback
 from pointpred_observers.interconnected.steady_state import regulator_equations, residuals
 from pointpred_observers.interconnected.tracking import (
     SectorBounds,

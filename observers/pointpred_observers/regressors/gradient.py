@@ -109,11 +109,10 @@ def sample_of(numbers: FloatArray, n: int) -> Sample:
 @law
 def steepness(d: FloatTable, gain: FloatTable) -> float:
     """The trace of D G D': the sum of the decay rates of the errors of the outputs, in 1/s or per sample."""
-    n = len(gain)
     total = 0.0
     for row in range(len(d)):
-        for i in range(n):
-            for j in range(n):
+        for i in range(len(gain)):
+            for j in range(len(gain)):
                 total += d[row, i] * gain[i, j] * d[row, j]
     return total
 
@@ -248,33 +247,34 @@ class _Estimator(CompiledStage):
         shape = [self.count, self.outputs, wide, kind, KNOWN[f].code, max(1.0, KNOWN[f].high)]
         return np.concatenate([shape, starting(self.count, self.start), gain.ravel()])
 
-    def _taken(
-        self, regressor: ArrayLike, output: ArrayLike, weights: list[float], t: Any
-    ) -> FloatArray | None:
+    def _taken(self, t: Any, **sample: Any) -> FloatArray | None:
         """The estimate after a sample, ``None`` where it is too steep; raises EventError."""
-        memory = Memory(self._memory)
+        memory, n, p = Memory(self._memory), self.count, self.outputs
         started, last = parts_of(memory).clock.tolist()
-        try:
-            d, y = np.asarray(regressor, np.float64), np.asarray(output, np.float64)
-        except (TypeError, ValueError, OverflowError) as unusable:
-            raise EventError(
-                f"a sample must be numbers, received regressor {regressor!r}, output {output!r}",
-                field="regressor",
-            ) from unusable
-        n, p = self.count, self.outputs
-        if d.shape not in ((p, n), (n,) if p == 1 else ()) or not np.isfinite(d).all():
-            raise EventError(
-                f"regressor must be finite and of shape ({p}, {n}), received {regressor!r}",
-                field="regressor",
-                value=regressor,
-            )
-        if y.size != p or not np.isfinite(y).all():
-            raise EventError(
-                f"output must be {p} finite numbers, received {output!r}", field="output", value=output
-            )
-        now = last if t is None and not weights else moment(t, last if started == 1.0 else None)
+        needs = {
+            "regressor": f"be finite and of shape ({p}, {n})",
+            "output": f"be {p} finite numbers",
+            "weight": "lie in [0, 1]",
+        }
+        row = []
+        for name, given in sample.items():
+            wrong = EventError(f"{name} must {needs[name]}, received {given!r}", field=name, value=given)
+            try:
+                values = np.asarray(given, np.float64)
+            except (TypeError, ValueError, OverflowError) as unusable:
+                raise wrong from unusable
+            if name == "regressor":
+                fits = values.shape == (p, n) or (p == 1 and values.shape == (n,))
+            else:
+                fits = values.size == (p if name == "output" else 1)
+            within = name != "weight" or ((values >= 0.0) & (values <= 1.0)).all()
+            if not (fits and within and np.isfinite(values).all()):
+                raise wrong
+            row.append(values.ravel())
+        timeless = t is None and "weight" not in sample
+        now = last if timeless else moment(t, last if started == 1.0 else None)
         out = np.empty(n)
-        verdict = step(memory, np.concatenate([[now], d.ravel(), y.ravel(), weights]), out)
+        verdict = step(memory, np.concatenate([[now], *row]), out)
         return None if verdict == TOO_STEEP else out
 
 
@@ -293,7 +293,6 @@ class GradientRegressor(_Estimator):
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` p, 1 to 32; ``gain`` G, a positive
     number, n of them or a positive definite matrix, in 1/s over the square of the regressor's unit
     (discrete: without 1/s); ``time`` "continuous" or "discrete"; ``start`` the first estimate, default zeros.
-    Memory: 8 + 5 n + n^2 + 2 p (n + 1) floats. Returns the estimate from ``update``.
     Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, (3.41)-(3.46) and (3.53)-(3.58), with G positive definite where the print
@@ -335,7 +334,7 @@ class GradientRegressor(_Estimator):
         """
         if t is None and self.time == "continuous":
             raise EventError("the continuous law needs the time of every sample, received t=None", field="t")
-        if (estimate := self._taken(regressor, output, [], t)) is None:
+        if (estimate := self._taken(t, regressor=regressor, output=output)) is None:
             raise EventError(
                 "the trace of D G D' must lie below 2, where a step may enlarge the error, received "
                 f"regressor {regressor!r}: choose a smaller gain or normalised=True",
@@ -356,8 +355,7 @@ class NonlinearRegressor(_Estimator):
 
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` r, 1 to 32; ``gain`` g in 1/s over the
     square of J's unit, > 0; ``f`` one of identity, tanh, atan, saturation; ``start`` the first estimate,
-    default zeros. Memory: 10 + 5 n + n^2 + 2 r (n + 1) floats. Returns the estimate from ``update``. Raises
-    ParameterError, and EventError and EventOrderError from ``update``.
+    default zeros. Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, (3.47)-(3.51); before (3.51) the print lacks a J in J'J z.
 
@@ -394,15 +392,7 @@ class NonlinearRegressor(_Estimator):
         gap over which the gain is too large; EventOrderError when time runs backwards; the stage is then
         unchanged.
         """
-        try:
-            share = float(weight)
-        except (TypeError, ValueError) as unusable:
-            raise EventError(
-                f"weight must be a number, received {weight!r}", field="weight", value=weight
-            ) from unusable
-        if not 0.0 <= share <= 1.0:
-            raise EventError(f"weight must lie in [0, 1], received {weight!r}", field="weight", value=weight)
-        if (estimate := self._taken(regressor, output, [share], t)) is None:
+        if (estimate := self._taken(t, regressor=regressor, output=output, weight=weight)) is None:
             raise EventError(
                 f"gain J'J over the gap would need more than {STEPS_MOST} steps, received t={t!r}, "
                 f"regressor {regressor!r}",
@@ -418,13 +408,12 @@ def _positive(count: int, gain: ArrayLike) -> FloatArray:
     def wrong(must: str) -> ParameterError:
         return ParameterError(f"gain must {must}, received {gain!r}", field="gain", value=gain)
 
-    shapes = f"be a finite number, {count} or {count} x {count}"
     try:
         values = np.array(gain, np.float64)
     except (TypeError, ValueError) as unusable:
-        raise wrong(shapes) from unusable
+        raise wrong("be numbers") from unusable
     if values.shape not in ((), (count,), (count, count)) or not np.isfinite(values).all():
-        raise wrong(shapes)
+        raise wrong(f"be a finite number, {count} or {count} x {count}")
     square = values if values.ndim == 2 else np.diag(np.broadcast_to(values, count))
     if np.abs(square - square.T).max() > 1e-12 * np.abs(square).max():
         raise wrong("be symmetric")

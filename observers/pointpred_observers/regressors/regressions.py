@@ -12,7 +12,7 @@ from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred.regression import RecursiveLeastSquares
 from pointpred_observers.numerics.matrices import matrix
-from pointpred_observers.plants.nonlinearity import Nonlinearity, nonlinearity
+from pointpred_observers.plants.nonlinearity import nonlinearity
 from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
@@ -42,15 +42,13 @@ class Regression(msgspec.Struct, frozen=True):
 
     def simulated(self, regressor: Any, setting: Setting) -> Simulation:
         """The parameters beside those that a regressor estimates; see ``simulate``."""
-        setting.refuse(
-            "a regression", "start", "estimate", "input", "disturbance", "unknown_input", "schedule"
-        )
+        unused = ("start", "estimate", "input", "disturbance", "unknown_input", "schedule")
+        setting.refuse("a regression", *unused)
         title = TITLES.get(type(regressor))
         if title is None:
+            known = ", ".join(one.__name__ for one in TITLES)
             raise ParameterError(
-                f"a Regression needs one of {', '.join(one.__name__ for one in TITLES)}, received "
-                f"{type(regressor).__name__}",
-                field="observer",
+                f"a Regression needs one of {known}, received {type(regressor).__name__}", field="observer"
             )
         running, weight = regressor.fresh(), self.weight
         if isinstance(regressor, NonlinearRegressor) and weight is None:
@@ -61,16 +59,15 @@ class Regression(msgspec.Struct, frozen=True):
         pairs = [self.at(float(t)) for t in times]
         theta, rows = np.array([one for one, _ in pairs]), [d for _, d in pairs]
         exact = np.array([d @ one for one, d in pairs])
-        weights = np.zeros(len(times))
+        weights = np.zeros((len(times), 1))
         if weight is not None:
-            f: Nonlinearity = nonlinearity(self.f, exact.shape[1])
-            weights = np.array([float(weight(float(t))) for t in times])
-            bent = np.array([f(one) for one in exact])
-            exact = (1.0 - weights[:, None]) * exact + weights[:, None] * bent
+            f = nonlinearity(self.f, exact.shape[1])
+            weights[:, 0] = [float(weight(float(t))) for t in times]
+            exact = (1.0 - weights) * exact + weights * np.array([f(one) for one in exact])
         outputs, estimate = setting.measured(exact), np.full_like(theta, np.nan)
         for i, t in enumerate(times.tolist()):
             if isinstance(running, NonlinearRegressor):
-                estimate[i] = running.update(rows[i], weights[i], outputs[i], t)
+                estimate[i] = running.update(rows[i], weights[i, 0], outputs[i], t)
             elif isinstance(running, GradientRegressor):
                 estimate[i] = running.update(rows[i], outputs[i], t)
             else:
