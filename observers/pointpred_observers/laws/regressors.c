@@ -39,13 +39,11 @@ regressors_gradient_Sample regressors_gradient_sample_of(Vector numbers, int64_t
 
 /* The trace of D G D': the sum of the decay rates of the errors of the outputs, in 1/s or per sample. */
 WIDE double regressors_gradient_steepness(Table d, Table gain) {
-  int64_t n;
   double total;
-  n = gain.n;
   total = 0.0;
   for (int64_t row = 0; row < d.n; row++) {
-    for (int64_t i = 0; i < n; i++) {
-      for (int64_t j = 0; j < n; j++) {
+    for (int64_t i = 0; i < gain.n; i++) {
+      for (int64_t j = 0; j < gain.n; j++) {
         total += d.p[row * d.m + i] * gain.p[i * gain.m + j] * d.p[row * d.m + j];
       }
     }
