@@ -13,14 +13,14 @@ import numpy as np
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.persidskii_stage import MissingInputs, PersidskiiStage
-from pointpred_observers.interconnected.simulation import (
+from pointpred_observers.interconnected.persidskii_stage import (
     UNUSED,
+    MissingInputs,
+    PersidskiiStage,
     alone,
     like,
     outputs_of,
     same,
-    unlike,
     walked,
 )
 from pointpred_observers.interconnected.steady_state import equalities, shares_left, steady_state_map
@@ -368,9 +368,8 @@ class FullOrderObserver(DrivenObserver, frozen=True):
 
     def simulated(self, plant: Any, setting: Setting) -> Simulation:
         """The plant that nothing feeds back, with the bound where one is proved."""
-        known, one = self.plant, as_plant(plant)
-        if (one.n, one.m + one.z, one.p, one.time) != (known.n, known.z, known.p, known.time):
-            raise unlike(one, known)
+        known = self.plant
+        one = like(plant, known, apart=False)
         bound = None
         if setting.silent and np.isinf(known.domain) and same(one, known):
             times = setting.samples(one.time == "discrete")

@@ -16,10 +16,12 @@ from pointpred.stage import CompiledStage
 from pointpred_observers.interconnected import persidskii_law as law
 from pointpred_observers.numerics.eigenvalues import perron_root
 from pointpred_observers.numerics.matrices import TIMES, instance, matrix, one_of
-from pointpred_observers.plants.generator import Generator, fitted
+from pointpred_observers.plants import nonlinearity
+from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
 from pointpred_observers.plants.linear_systems import Plant, as_plant
-from pointpred_observers.plants.nonlinearity import nonlinearity
-from pointpred_observers.plants.persidskii import column
+from pointpred_observers.plants.persidskii import Persidskii, column
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting, run, sampled
 
 SHAPES = {
     "N": "qq",
@@ -91,7 +93,7 @@ class Realisation:
         r = k if elementwise or inner is None else len(matrix("J", inner, None, q))
         p = q if out is None else len(matrix("R0", out, None, q))
         self._sizes = {"q": q, "k": k, "r": r, "m": m, "p": p}
-        self.f = nonlinearity(f, k)
+        self.f = nonlinearity.nonlinearity(f, k)
         self.start = np.zeros(q) if start is None else matrix("start", start, 1, q)[0]
         if missing is None:
             missing = MissingInputs.expected(np.zeros((0, q)), np.zeros((0, k)), m, time)
@@ -265,13 +267,11 @@ class PersidskiiStage(CompiledStage):
     interval, ``missing`` says what replaces it, by default its last value.
 
     Continuous time is integrated by the classical Runge-Kutta method in steps of at most ``step_s``, by
-    default 0.01 or the inverse of a bound of the stage's fastest rate, whichever is shorter. A ``step_s``
-    that is too long for the fastest eigenvalue amplifies. An interval between two samples has at most 10^5
-    steps: within 10^5 inverse rates the default step grows with it, if the matrices are constant and f has a
-    name and bounded slopes; a longer interval is refused. "s" is the unit of time of the matrices.
-
-    With an f of a name and constant matrices the stage is compiled; with functions it runs in numpy, some
-    thirty times slower, by the same law.
+    default 0.01 or the inverse of a bound of the stage's fastest rate, whichever is shorter. An interval has
+    at most 10^5 steps: within 10^5 inverse rates the default step grows with it, if the matrices are constant
+    and f has a name and bounded slopes; a longer interval is refused. "s" is the unit of time of the
+    matrices. With an f of a name and constant matrices the stage is compiled; with functions it runs in
+    numpy, some thirty times slower, by the same law.
 
     Parameters: ``N`` (q, q), ``L`` (q, k), ``J`` (k, q), ``K`` (q, inputs), each an array or a function of
     t (of the index in discrete time); ``f`` a name or one for each component, or a function from R^r to R^k
@@ -455,4 +455,115 @@ def regulator_stage(plant: Plant, regulator: Generator, Pi: Any = None, **settin
         R1=np.vstack([g.L1, np.zeros((len(pi), g.L1.shape[1]))]),
         time=plant.time,
         **settings,
+    )
+
+
+UNUSED = ("unknown_input", "schedule")
+
+
+def alone(
+    plant: Persidskii, observer: Any, setting: Setting, title: str, bound: FloatArray | None = None
+) -> Simulation:
+    """A plant that nothing feeds back, beside its observer."""
+    setting.refuse("a Persidskii plant", *UNUSED)
+    times = setting.samples(plant.time == "discrete")
+    stage = observer.stage(start=setting.begin(plant.n, "estimate", 0.0))
+    both, d = setting.signal("input", plant.m + plant.z), setting.signal("disturbance", plant.n)
+
+    def field(t: float, x: FloatArray) -> FloatArray:
+        now = both(t)
+        return plant.field(t, x, now[: plant.m], now[plant.m :], d(t))
+
+    state = run(field, setting.begin(plant.n), times, plant.time == "discrete")
+    inputs, outputs = sampled(both, times), setting.measured(outputs_of(plant, times, state))
+    answers = walked(stage, times, outputs, inputs)
+    return Simulation.of(plant, times, state, answers, outputs, inputs, title, bound=bound)
+
+
+def outputs_of(plant: Persidskii, times: FloatArray, state: FloatArray) -> FloatArray:
+    """The outputs without noise, (N, p), of the states at the samples."""
+    return np.array([plant.output(float(t), x) for t, x in zip(times, state, strict=True)])
+
+
+def walked(stage: PersidskiiStage, times: FloatArray, outputs: FloatArray, inputs: FloatArray) -> FloatArray:
+    """The answers of a stage, which receives the samples one by one."""
+    table = np.column_stack([times, outputs, inputs])
+    try:
+        return stage.walk(np.zeros(len(table), np.bool_), table)
+    except EventError as far:
+        raise _too_far(times) from far
+
+
+def _too_far(times: FloatArray) -> ParameterError:
+    return ParameterError(
+        f"times: samples lie {np.diff(times).max():g} s apart, more than 1e5 steps of the observer, "
+        "which is that fast: they must lie closer together, or the design needs less decay",
+        field="times",
+    )
+
+
+def closed(plant: Persidskii, regulator: Generator, pi: FloatArray, setting: Setting) -> Simulation:
+    """The stage of the regulator gives u at each sample, and the plant moves on with it until the next."""
+    setting.refuse("a plant under a regulator", *UNUSED)
+    discrete, g = plant.time == "discrete", fitted(regulator, plant, "regulator")
+    require_same_nonlinearity(plant, regulator, name="regulator")
+    times = setting.samples(discrete)
+    j = plant.H @ pi if g.J is None else g.J
+    used = Generator(g.S0, g.S1, j, g.G, g.L0, g.L1, g.E, regulator.f)
+    stage = regulator_stage(plant, used, pi, start=setting.begin(g.q, "estimate", 0.0))
+    rho, d = setting.signal("input", plant.z), setting.signal("disturbance", plant.n)
+    outputs, known = setting.measured(np.zeros((len(times), plant.p))), sampled(rho, times)
+    state, answers = [setting.begin(plant.n)], np.empty((len(times), plant.m + plant.n))
+    for i, t in enumerate(times.tolist()):
+        outputs[i] += plant.output(t, state[i])
+        try:
+            answers[i] = stage.update(t, np.concatenate([outputs[i], known[i]]))
+        except EventError as far:
+            raise _too_far(times) from far
+
+        def field(t: float, x: FloatArray, u: FloatArray = answers[i, : plant.m]) -> FloatArray:
+            return plant.field(t, x, u, rho(t), d(t))
+
+        if i + 1 < len(times):
+            state.append(run(field, state[i], times[i : i + 2], discrete)[-1])
+    u, estimate = np.split(answers, [plant.m], axis=1)
+    inputs = np.hstack([u, known])
+    return Simulation.of(
+        plant, times, np.array(state), estimate, outputs, inputs, "plant under its regulator"
+    )
+
+
+def like(plant: Any, known: Persidskii, *, apart: bool = True) -> Persidskii:
+    """The plant to simulate; raises ParameterError unless its sizes are those of the design's.
+
+    Its inputs may stand in B or in Q unless they are told ``apart``.
+    """
+
+    def sizes(one: Persidskii) -> tuple[Any, ...]:
+        return one.n, (one.m, one.z) if apart else one.m + one.z, one.p, one.time
+
+    def shown(one: Persidskii) -> str:
+        return f"{one.n} states, {one.m + one.z} inputs and {one.p} outputs in {one.time} time"
+
+    one = as_plant(plant)
+    if sizes(one) != sizes(known):
+        raise ParameterError(
+            f"the observer was designed for a plant of {shown(known)}, received one of {shown(one)}",
+            field="plant",
+        )
+    return one
+
+
+def same(plant: Persidskii, known: Persidskii) -> bool:
+    """Whether a plant is the one that a certificate speaks of, whose inputs may stand in B or in Q.
+
+    Certificates are of constant matrices: one that varies is another plant, also where both agree at 0.
+    """
+    if plant.varying or known.varying:
+        return False
+    left, right = plant.matrices(0.0), known.matrices(0.0)
+    for one in (left, right):
+        one["inputs"] = np.hstack([one.pop("B"), one.pop("Q")])
+    return nonlinearity.same(plant.f, known.f) and all(
+        np.array_equal(left[name], right[name]) for name in left
     )

@@ -11,8 +11,7 @@ import numpy as np
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.interconnected.design import DrivenDocument, DrivenObserver, driven, require_map
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
-from pointpred_observers.interconnected.simulation import closed, like
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, closed, like, regulator_stage
 from pointpred_observers.interconnected.steady_state import (
     RegulatorEquations,
     checked_equations,

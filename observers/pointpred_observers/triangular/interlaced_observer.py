@@ -39,8 +39,7 @@ from pointpred_observers.proofs.search import Posed, search
 from pointpred_observers.proofs.stationary import filter_start
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, Signal, run
-from pointpred_observers.triangular.forms import interlaced
-from pointpred_observers.triangular.ranges import StateRegion, enclosure, intervals_of
+from pointpred_observers.triangular.forms import StateRegion, enclosure, interlaced, intervals_of
 
 SMALL = 1e-3
 """Weight of the size of U, which decides among gains with the same traces."""
@@ -83,11 +82,10 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
 
 
 def theorem_4_4_1(a: ArrayLike, c: ArrayLike) -> MatrixInequalities:
-    """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities; see ``check``."""
+    """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities."""
     system = matrix("A", a)
-    q = len(system)
-    output = matrix("C", c, None, q)
-    p = len(output)
+    output = matrix("C", c, None, len(system))
+    p, q = output.shape
 
     def block(v: Any) -> FloatArray:
         corner = v.P @ system - v.U @ output
@@ -104,13 +102,12 @@ def certify(
 ) -> InterlacedCertificate:
     """Compute a gain with its certificate, or a certificate for ``gain``.
 
-    Of all gains whose error decays as exp(-``decay`` t) it takes one with the least trace of P and Gamma in
-    balanced units, for little overshoot and noise, and of several the smallest U. That the plant converges to
-    its steady state is assumption 4.4.2 and not checked.
+    Minimises the trace of P and Gamma in balanced units, for little overshoot and noise, and beside it the
+    size of U. That the plant converges to its steady state is assumption 4.4.2 and not checked.
 
-    Parameters: ``a`` of the generator; ``c`` with h(rho, pi) = C w; ``decay`` in 1/s, above 0; ``gain`` L.
-    Raises ParameterError, InfeasibleError (before any solver runs for an unobservable eigenvalue),
-    UndecidedError and CertificateError. Reference: Khalin 2022, Theorem 4.4.1.
+    Parameters: ``a`` (q, q) of the generator; ``c`` (p, q) with h(rho, pi) = C w; ``decay`` in 1/s, above 0,
+    of the error; ``gain`` L (q, p). Raises InfeasibleError naming an undetectable eigenvalue before any
+    solver runs; what the solver raises; ParameterError. Reference: Khalin 2022, Theorem 4.4.1.
 
     >>> found = certify([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 0.0]], decay=0.25)
     >>> found.L.round(2).tolist(), round(found.bound.overshoot, 2)
@@ -146,8 +143,7 @@ def certify(
 
 def _start(a: FloatArray, c: FloatArray, decay: float) -> dict[str, Any] | None:
     """The matrices of the stationary filter, and a Gamma that is large enough for them."""
-    start = filter_start(a, c, 1.2 * decay, "continuous")
-    if start is None:
+    if (start := filter_start(a, c, 1.2 * decay, "continuous")) is None:
         return None
     p, u = start
     corner, q = p @ a - u @ c, 2.2 * decay * p
@@ -182,12 +178,10 @@ class InterlacedEstimate(msgspec.Struct, frozen=True):
 
 
 class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
-    """The design of an observer that estimates a plant's state from that of the generator which drives it.
+    """The observer w' = A w + L (y - C w), x = pi(w), z = rho(w), u = l(w) of a driven plant.
 
     Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an
     error of y. If the steady state is a truncated series, x and z are accurate near the origin only.
-
-    w' = A w + L (y - C w), x = pi(w), z = rho(w), u = l(w)
 
     Reference: Khalin 2022, Theorem 4.4.1.
 
@@ -229,8 +223,8 @@ class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
         Parameters: ``plant``, or its steady state from ``interlaced``, which needs none of the next four;
         ``generator`` that drives it; ``first`` the steady state of the first lower row, an expression or its
         text, such as "w1"; ``upper`` rows of the upper part; ``degree`` of their power series; ``gain`` (q,
-        p) to certify instead of computing one; ``start`` of w, default zeros; ``gap_s``: over a longer
-        interval between two samples the generator runs alone. See ``certify`` for what is raised.
+        p) to certify; ``start`` of w, default zeros; ``gap_s``: over a longer interval between two samples
+        the generator runs alone. Raises what ``certify`` and ``interlaced`` raise.
         """
         if isinstance(plant, SymbolicSystem):
             moved = instance("generator", generator, SymbolicGenerator)
@@ -296,19 +290,17 @@ class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
         sizes = [(len(one.states), len(one.zero), len(one.outputs)) for one in (system, steady.system)]
         if sizes[0] != sizes[1]:
             raise ParameterError(
-                f"the observer was designed for {sizes[1][0]} states, {sizes[1][1]} of zero dynamics and "
-                f"{sizes[1][2]} outputs, received a plant of {sizes[0][0]}, {sizes[0][1]} and {sizes[0][2]}",
+                "the observer was designed for {} states, {} of zero dynamics and {} outputs, received a "
+                "plant of {}, {} and {}".format(*sizes[1], *sizes[0]),
                 field="plant",
             )
-        times, q = setting.samples(discrete=False), len(steady.generator.states)
-        n = sizes[0][0] + sizes[0][1]
+        times, q, n = setting.samples(discrete=False), len(steady.generator.states), sum(sizes[0][:2])
         field = driven_field(steady, system, setting.signal("disturbance", n))
         both = run(field, setting.begin(q + n), times, discrete=False)
         driving, state = both[:, :q], both[:, q:]
         outputs = setting.measured(outputs_of(system, state))
         stage = self.stage(start=setting.begin(q, "estimate", 0.0))
-        table = np.column_stack([times, outputs])
-        answers = stage.walk(np.zeros(len(table), np.bool_), table)
+        answers = stage.walk(np.zeros(len(times), np.bool_), np.column_stack([times, outputs]))
         none = np.zeros((len(times), 0))
         names = tuple(str(one) for one in (*system.states, *system.zero))
         pushed = steady.function()(driving.T)[-1][:, None]
@@ -503,8 +495,7 @@ class AttractionCertificate(msgspec.Struct, frozen=True):
 
     ``terms``: the terms of the Jacobian that vary, with their bounds over the ``region``; the ``certificate``
     holds while the plant's state, its steady state and w stay in it. ``residual``: the largest norm there of
-    what a truncated steady state leaves of its equations, 0 for an exact one; the rest of ``bound`` is what
-    it makes of the error.
+    what a truncated steady state leaves of its equations; its effect is in ``bound``.
     """
 
     C: FloatArray
@@ -520,25 +511,22 @@ class AttractionCertificate(msgspec.Struct, frozen=True):
 
 
 def assumption_4_4_2(
-    steady: SymbolicSteadyState,
-    region: StateRegion = None,
-    *,
-    decay: float | None = None,
+    steady: SymbolicSteadyState, region: StateRegion = None, *, decay: float | None = None
 ) -> AttractionCertificate:
     """A certificate of Assumption 4.4.2 in a region: detectable output, incrementally stable plant.
 
     1. h(rho(w), pi(w)) must be C w with (A, C) detectable. 2. Under u = l(w) two solutions of the plant
-    approach each other, up to a disturbance d of its equations. By the mean value theorem their difference
-    obeys the Jacobian somewhere in the box; each of its terms lies between its bounds over the box, so that
-    one quadratic function for all corners of these bounds is a proof. The residuals of a steady state that is
-    not exact are a disturbance d that never ends: the bound holds the largest over the region. A refusal
-    proves nothing unless it names an eigenvalue at a point of the region.
+    approach each other, up to a disturbance d of its equations: their difference obeys the Jacobian somewhere
+    in the box, each term of which lies between its bounds there; one quadratic function for all corners of
+    these bounds is a proof. The residuals of a steady state that is not exact are a disturbance d that never
+    ends: the bound holds the largest over the region. A refusal proves nothing unless it names an eigenvalue
+    at a point of the region.
 
     Parameters: ``region`` of the states x and z and of the generator's w that the Jacobian or the residuals
     contain, each (low, high), by symbol or by name; not needed for a linear plant; ``decay`` in 1/s, > 0, by
-    default a fraction of the slowest corner's. Raises InfeasibleError naming the undetectable mode, or an
-    eigenvalue that does not decay and its corner; ParameterError for an output that is not C w, a missing
-    bound or more than 8 terms; what the solver raises.
+    default a fraction of the slowest corner's. Raises InfeasibleError naming the undetectable mode;
+    ParameterError for an output that is not C w, a missing bound or more than 8 terms; what
+    ``certify_decay`` raises.
 
     Reference: Khalin 2022, Assumption 4.4.2; Lohmiller and Slotine 1998.
 
