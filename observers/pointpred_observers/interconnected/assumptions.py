@@ -27,8 +27,8 @@ NEAR = 1e-6
 class Moments(msgspec.Struct, frozen=True):
     """What Assumption 1.3.1 asks for, as far as the linear parts at 0 decide it.
 
-    ``decay`` of the plant, 1/s (1/step), by its linear part; ``eigenvalues`` of the generator's; ``assumed``
-    says what only a nonlinear part decides, empty for linear systems.
+    ``decay`` of the plant, 1/s (1/step); ``eigenvalues`` of the generator; ``assumed``: what only a nonlinear
+    part decides, empty for linear systems.
     """
 
     decay: float
@@ -43,9 +43,8 @@ def assumption_1_3_1(plant: Plant, generator: Generator) -> Moments:
     every eigenvalue lies on the imaginary axis (the unit circle) and is simple in the minimal polynomial.
     Constant matrices only.
 
-    Raises InfeasibleError naming an eigenvalue of the generator with which a motion grows or decays, one of
-    the plant that does not decay, and a mode that is not reached or not shown; ParameterError for a generator
-    with a G, which (1.7) does not have.
+    Raises InfeasibleError naming an eigenvalue of the generator whose motion grows or decays, one of the
+    plant that does not decay, or a mode that is not reached or not shown; ParameterError for a G.
 
     Reference: Khalin 2022, Assumption 1.3.1, definitions 1.3.10 and 1.3.11.
 
@@ -135,12 +134,11 @@ def remark_3_2_2(
     """The observer of Remark 3.2.2: x^ and w^ together, corrected by L_x and L_w, with its certificate.
 
     It is the full-order observer of ``joined``: the first n rows of its ``gain`` are L_x, the others G + L_w.
-    Unlike the observer of Theorem 3.2.1 it needs no x = Pi w and follows x while that is far from Pi w.
+    Unlike the observer of Theorem 3.2.1 it needs no x = Pi w.
 
-    Parameters: ``gains`` (L_x, L_w) to certify, of shapes (n, p) and (q, p), by default computed ones;
-    ``decay`` in 1/s (1/step), demanded of both errors. L_x = 0, L_w = 0 is enough only where the generator's
-    own motions approach each other: those of an oscillator do not.
-    Raises as designs of full order do.
+    Parameters: ``gains`` (L_x, L_w) to certify, of shapes (n, p) and (q, p), by default computed ones; zeros
+    are enough only where the generator's own motions approach each other; ``decay`` in 1/s (1/step), demanded
+    of both errors. Raises as designs of full order do.
 
     >>> plant = Persidskii([[-1.0]], None, None, "sin", [1.0], None, [1.0])
     >>> found = remark_3_2_2(plant, Generator([[0.0, 1.0], [-1.0, 0.0]], L0=[1.0, 0.0]), decay=1.0)

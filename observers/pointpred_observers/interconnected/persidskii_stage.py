@@ -86,39 +86,28 @@ class Realisation:
         self._given = given
         self._constant: dict[str, FloatArray] = {}
         self.discrete, self.step_s, self.gap_s = time == "discrete", step_s, gap_s
-        q = len(matrix("N", self._now("N", 0.0)))
-        k, m = (column(name, self._now(name, 0.0), q).shape[1] for name in ("L", "K"))
-        inner, out = self._now("J", 0.0), self._now("R0", 0.0)
+        q = self.q = len(matrix("N", self._now("N", 0.0)))
+        self.k, m = (column(name, self._now(name, 0.0), q).shape[1] for name in ("L", "K"))
+        inner, shown = self._now("J", 0.0), self._now("R0", 0.0)
         elementwise = not callable(f) or getattr(f, "codes", None) is not None
-        r = k if elementwise or inner is None else len(matrix("J", inner, None, q))
-        p = q if out is None else len(matrix("R0", out, None, q))
-        self._sizes = {"q": q, "k": k, "r": r, "m": m, "p": p}
-        self.f = nonlinearity.nonlinearity(f, k)
+        self.r = self.k if elementwise or inner is None else len(matrix("J", inner, None, q))
+        self.m, self.p = m, q if shown is None else len(matrix("R0", shown, None, q))
+        self.f = nonlinearity.nonlinearity(f, self.k)
         self.start = np.zeros(q) if start is None else matrix("start", start, 1, q)[0]
         if missing is None:
-            missing = MissingInputs.expected(np.zeros((0, q)), np.zeros((0, k)), m, time)
+            missing = MissingInputs.expected(np.zeros((0, q)), np.zeros((0, self.k)), m, time)
         if len(instance("missing", missing, MissingInputs).value) != m:
             raise ParameterError(f"missing needs {m} inputs, received {len(missing.value)}", field="missing")
         self._given |= {name: getattr(missing, name) for name in ("V0", "V1", "V2")}
         self.valued, self.first = np.array(missing.value, bool), matrix("first", missing.first, 1, m)[0]
         first = {name: self.at(name, 0.0) for name in SHAPES}
         self._constant |= {name: one for name, one in first.items() if not callable(self._given[name])}
+        self.compiled = self.f.codes is not None and len(self._constant) == len(SHAPES)
         if (np.abs(first["R"][:, self.valued]) @ np.abs(first["V1"][self.valued])).any():
             raise ParameterError(
                 "an input that enters f cannot be replaced by a value of f: set its rows of V1 to zero",
                 field="missing",
             )
-
-    @property
-    def sizes(self) -> tuple[int, int, int, int]:
-        """Of w, of f, of the inputs and of the outputs."""
-        q, k, m, p = (self._sizes[one] for one in "qkmp")
-        return q, k, m, p
-
-    @property
-    def compiled(self) -> bool:
-        """Whether the compiled law runs: f has names, and no matrix is a function."""
-        return self.f.codes is not None and len(self._constant) == len(SHAPES)
 
     def _now(self, name: str, t: float) -> Any:
         one = self._given[name]
@@ -128,17 +117,11 @@ class Realisation:
         """A matrix at a time; raises ParameterError for a shape."""
         if name in self._constant:
             return self._constant[name]
-        rows, columns = (self._sizes[one] for one in SHAPES[name])
+        rows, columns = (getattr(self, size) for size in SHAPES[name])
         now = self._now(name, t)
-        if now is None or (self._sizes["k"] == 0 and name in ("J", "R")):
+        if now is None or (self.k == 0 and name in ("J", "R")):
             return np.eye(rows, columns) if name == "R0" else np.zeros((rows, columns))
         return matrix(name, now, rows, columns)
-
-    def flat(self) -> list[FloatArray]:
-        """What the compiled law holds, at 0."""
-        parts = {name: self.at(name, 0.0) for name in SHAPES}
-        replacing = [parts.pop(name) for name in ("V0", "V1", "V2")]
-        return [*parts.values(), self.start, self.valued.astype(np.float64), *replacing, self.first]
 
     def fastest(self, t: float) -> float:
         """A bound of the rates of the stage at a time in 1/s, with its inputs measured or missing.
@@ -148,8 +131,8 @@ class Realisation:
         """
         n, ell, j, k, r, v0, v1, v2 = (self.at(x, t) for x in ("N", "L", "J", "K", "R", "V0", "V1", "V2"))
         valued, rest = self.valued, ~self.valued
-        spread = np.zeros((ell.shape[1], len(j)))
-        if self.f.slopes is not None and ell.shape[1] == len(j):
+        spread = np.zeros((self.k, self.r))
+        if self.f.slopes is not None and self.k == self.r:
             steepest = np.abs(np.array(self.f.slopes, np.float64).reshape(-1, 2)).max(axis=1)
             spread = np.diag(np.where(np.isfinite(steepest), steepest, 0.0))
         measured = np.abs(n) + np.abs(ell) @ spread @ np.abs(j)
@@ -180,8 +163,8 @@ class Realisation:
 
     def step(self, memory: FloatArray, row: FloatArray, out: FloatArray) -> int:
         """Process the sample (t, inputs), NaN for a missing one, into ``out``; see the compiled law."""
-        q, _, m, _ = self.sizes
-        sample, w, last, absent = np.split(memory, (2, 2 + q, 2 + q + m))
+        q = 2 + self.q
+        sample, w, last, absent = np.split(memory, (2, q, q + self.m))
         started, t, now = sample[0] == 1.0, float(sample[1]), float(row[0])
         if started and now < t:
             return law.BACKWARDS
@@ -212,9 +195,7 @@ class Realisation:
         return verdict
 
     def _f(self, t: float, x: FloatArray, inputs: FloatArray) -> FloatArray:
-        if not self._sizes["k"]:
-            return np.zeros(0)
-        return self.f(self.at("J", t) @ x + self.at("R", t) @ inputs)
+        return self.f(self.at("J", t) @ x + self.at("R", t) @ inputs) if self.k else np.zeros(0)
 
     def _sum(self, what: str, t: float, x: FloatArray, inputs: FloatArray) -> FloatArray:
         """The change of w ("N"), what missing inputs follow ("V"), or the outputs ("R")."""
@@ -322,7 +303,7 @@ class PersidskiiStage(CompiledStage):
         parts = Realisation(
             f, start, missing, self.time, self.step_s, gap, N=N, L=L, J=J, K=K, R0=R0, R1=R1, R=R, R2=R2
         )
-        q, k, self.inputs, self.width = parts.sizes
+        self.inputs, self.width = parts.m, parts.p
         self._plain = None if parts.compiled else parts
         bridged = self._bridged = parts.bridged(0.0)
         self.step_s = parts.longest(0.0)
@@ -333,13 +314,17 @@ class PersidskiiStage(CompiledStage):
                 field="gap_s",
                 value=self.gap_s,
             )
+        settings, states = np.zeros(0), 2 + parts.q + 2 * parts.m
         if parts.compiled:
-            sizes = [q, k, self.inputs, self.width, float(parts.discrete), self.step_s, gap, bridged]
-            numbers = np.array([*sizes, *(parts.f.codes or ())], np.float64)
-            settings = np.concatenate([numbers, *(one.ravel() for one in parts.flat())])
-            self.lay_out(settings, law.floats(q, k, self.inputs))
-        else:
-            self.lay_out([], 2 + q + 2 * self.inputs)
+            sizes = [parts.q, parts.k, parts.m, parts.p, parts.discrete, self.step_s, gap, bridged]
+            held = {name: parts.at(name, 0.0) for name in SHAPES}
+            replacing = [held.pop(name) for name in ("V0", "V1", "V2")]
+            own = [parts.start, parts.valued, *replacing, parts.first]
+            settings = np.concatenate(
+                [sizes, parts.f.codes or (), *(np.ravel(one) for one in (*held.values(), *own))]
+            )
+            states = law.floats(parts.q, parts.k, parts.m)
+        self.lay_out(settings, states)
 
     def declare(self, **values: Any) -> None:
         """Check the values."""
@@ -421,17 +406,16 @@ class PersidskiiStage(CompiledStage):
         return out
 
     def _row(self, t: float, inputs: ArrayLike | None) -> FloatArray:
+        received = f"received t={t!r}, inputs={inputs!r}"
         try:
-            values = np.full(self.inputs, np.nan) if inputs is None else np.asarray(inputs, np.float64)
-            row = np.concatenate([[t], np.ravel(values)]).astype(np.float64)
+            values = np.full(self.inputs, np.nan) if inputs is None else np.ravel(inputs)
+            row = np.concatenate([[t], values]).astype(np.float64)
         except (TypeError, ValueError, OverflowError) as unusable:
-            raise EventError(f"a sample must be numbers, received t={t!r}, inputs={inputs!r}") from unusable
+            raise EventError(f"a sample must be numbers, {received}") from unusable
         if len(row) != 1 + self.inputs:
             raise EventError(f"a sample needs {self.inputs} inputs, received {inputs!r}")
-        if not np.isfinite(row).all() and (row[0] != row[0] or np.isinf(row).any()):
-            raise EventError(
-                f"a sample must be finite (NaN only for a missing input), received t={t!r}, inputs={inputs!r}"
-            )
+        if row[0] != row[0] or np.isinf(row).any():
+            raise EventError(f"a sample must be finite (NaN only for a missing input), {received}")
         return row
 
 

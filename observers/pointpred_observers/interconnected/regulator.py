@@ -22,6 +22,7 @@ from pointpred_observers.numerics.eigenvalues import number_text, undetectable, 
 from pointpred_observers.numerics.equalities import (
     NO_DIGIT,
     TOLERANCE,
+    or_one,
     share_of_terms,
     summed,
     without_rounding,
@@ -66,9 +67,9 @@ class StateFeedback(msgspec.Struct, frozen=True):
 def design_state_feedback(plant: Plant, *, decay: float = 1.0, L1: Any = None) -> StateFeedback:
     """The feedback u = L0 x + L1 f(Hx) of small gain with which any two solutions approach each other.
 
-    Assumes that the state is known; see ``design_regulator`` where only the output is. With f = m s + df, m
-    the middle of each slope and abs(df_j) <= delta_j abs(s_j), delta half its width, Y = (L0 + L1 m H) X and
-    Z = L1 T the condition is linear:
+    Assumes that the state is known; ``design(plant, "regulator")`` needs the output only. With f = m s + df,
+    m the middle of each slope and abs(df_j) <= delta_j abs(s_j), delta half its width, Y = (L0 + L1 m H) X
+    and Z = L1 T the condition is linear:
 
     ((sym(2 (A0 + A1 m H) X + 2 B Y) + 2 decay X, A1 T + B Z, X H' delta), (., -T, 0), (., 0, -T)) < 0
 
@@ -78,12 +79,10 @@ def design_state_feedback(plant: Plant, *, decay: float = 1.0, L1: Any = None) -
 
     Parameters: ``decay`` in 1/s (1/step), > 0; ``L1`` (m, k) if it is chosen already: zeros, or one that
     cancels A1, for which slopes are not needed.
-    Raises InfeasibleError naming a mode that no input moves before any solver runs; InfeasibleError,
-    UndecidedError and CertificateError from the solver; ParameterError for a plant without input, with
-    varying matrices, or slopes that are missing or not bounded.
+    Raises InfeasibleError naming a mode that no input moves before any solver runs; what the solver raises;
+    ParameterError for a plant without input, with varying matrices, or slopes that are not bounded.
 
-    Reference: Boyd, El Ghaoui, Feron, Balakrishnan 1994, section 7.2; S and S~ of Khalin 2022, Assumption
-    3.2.3.
+    Reference: Boyd, El Ghaoui, Feron, Balakrishnan 1994, section 7.2.
 
     >>> mass = Persidskii([[0.0, 1.0], [0.0, 0.0]], [0.0, 1.0], [1.0, 0.0], "sin", [0.0, 1.0])
     >>> feedback = design_state_feedback(mass, decay=1.0)
@@ -100,10 +99,7 @@ def design_state_feedback(plant: Plant, *, decay: float = 1.0, L1: Any = None) -
     for name, d in corners.items():
         for mode in undetectable((one.A0 + a1 @ d @ one.H).T, one.B.T, one.time):
             corner = f" at D = diag({name})" if name else ""
-            raise InfeasibleError(
-                f"no input moves the mode of the eigenvalue {number_text(mode)}{corner}: "
-                "(A0, B) is not stabilisable"
-            )
+            raise InfeasibleError(f"no input moves the mode of the eigenvalue {number_text(mode)}{corner}")
     middle, half, slope = np.zeros(one.k), np.zeros(one.k), np.zeros((one.k, one.n))
     if a1.any():
         low, high = np.array(one.slopes).reshape(-1, 2).T
@@ -116,7 +112,7 @@ def design_state_feedback(plant: Plant, *, decay: float = 1.0, L1: Any = None) -
     def posed(units: Coordinates) -> Posed:
         x, f, t = units.states, units.values, units.seconds
         b = inward(one.B, x, np.ones(one.m), t)
-        u = 1.0 / np.where(b.any(axis=0), np.abs(b).max(axis=0, initial=0.0), 1.0)
+        u = 1.0 / or_one(np.abs(b).max(axis=0, initial=0.0))
         scaled = (inward(drift, x, x, t), b * u, inward(acting, x, f, t), inward(inner, f, x))
         measured = {
             "X": 1.0 / np.outer(x, x),
@@ -278,23 +274,20 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
         observer = driven(one, copied, np.eye(one.n), decay=faster)
         if reference is None:
             feedback = design_state_feedback(one, decay=decay, L1=L1)
-            return cls(one, *_regulator(one, observer.gain, feedback), observer, feedback)
+            none = np.zeros((0, 0)), np.zeros((0, one.z)), np.zeros((one.m, 0))
+            return cls(one, *_regulator(one, observer.gain, feedback, *none), observer, feedback)
         if reference.S1 is not None and reference.S1.any():
-            raise ParameterError(
-                "a reference is linear, r' = Sr r + Er rho, received one with S1 other than 0", field="S1"
-            )
+            raise ParameterError("a reference is linear, r' = Sr r + Er rho: leave out S1", field="S1")
         equations = regulator_equations(one, reference, following=following)
         cancelling = equations.L1 if L1 is None else L1
         feedback = design_state_feedback(one, decay=decay, L1=cancelling)
         left, terms = summed((one.A1,), (one.B, feedback.L1))
         if not share_of_terms(left, terms) <= TOLERANCE:
             raise InfeasibleError(
-                f"a reference needs A1 + B L1 = 0, its residual is {np.abs(left).max():.6g}: f is not "
-                "cancelled, and the steady state is not linear in r"
+                f"a reference needs A1 + B L1 = 0 to cancel f, its residual is {np.abs(left).max():.6g}"
             )
-        straight = equations.L0 - feedback.L0 @ equations.Pi
-        r = fitted(reference, one, "reference")
-        regulator, pi = _regulator(one, observer.gain, feedback, r, straight)
+        straight, r = equations.L0 - feedback.L0 @ equations.Pi, fitted(reference, one, "reference")
+        regulator, pi = _regulator(one, observer.gain, feedback, r.S0, r.E, straight)
         return cls(one, regulator, pi, observer, feedback, equations)
 
     def error_system(self) -> ErrorSystem:
@@ -336,27 +329,19 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
 
 
 def _regulator(
-    plant: Persidskii,
-    gain: FloatArray,
-    feedback: StateFeedback,
-    reference: Fitted | None = None,
-    straight: FloatArray | None = None,
+    plant: Persidskii, gain: FloatArray, feedback: StateFeedback, s_r: Any, e_r: Any, straight: Any
 ) -> tuple[Generator, FloatArray]:
     """The regulator from (3.3) with Pi = (I 0): the reference's states, fed ``straight``, behind its own."""
-    n, q = plant.n, 0 if reference is None else reference.q
-    last = np.zeros((plant.m, 0)) if straight is None else straight
-    s_r, e_r = (np.zeros((0, 0)), np.zeros((0, plant.z)))
-    if reference is not None:
-        s_r, e_r = reference.S0, reference.E
+    n, q = plant.n, len(s_r)
     pi, g = np.eye(n, n + q), np.vstack([gain, np.zeros((q, plant.p))])
-    whole = np.block([[plant.A0 + plant.B @ feedback.L0, plant.B @ last], [np.zeros((q, n)), s_r]])
+    whole = np.block([[plant.A0 + plant.B @ feedback.L0, plant.B @ straight], [np.zeros((q, n)), s_r]])
     s1 = plant.A1 + plant.B @ feedback.L1 - gain @ plant.C1
     return Generator(
         whole - g @ plant.C0 @ pi,
         np.vstack([s1, np.zeros((q, plant.k))]),
         plant.H @ pi,
         g,
-        np.hstack([feedback.L0, last]),
+        np.hstack([feedback.L0, straight]),
         feedback.L1,
         np.vstack([plant.Q, e_r]),
     ), pi

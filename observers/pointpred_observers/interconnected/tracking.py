@@ -48,12 +48,6 @@ class GrowingMode(msgspec.Struct, frozen=True):
     eigenvalue: complex
     share: float
 
-    def text(self, matrix: str, seconds: float) -> str:
-        """The eigenvalue in 1/s and the slopes; ``seconds`` is the unit of time."""
-        slopes = ", ".join(number_text(complex(one)) for one in self.slopes)
-        at = f" at D = diag({slopes})" if len(self.slopes) else ""
-        return f"{matrix} has the eigenvalue {number_text(self.eigenvalue / seconds)}{at}"
-
 
 Admitted = Callable[[GrowingMode], bool]
 Candidates = tuple[FloatArray, ComplexArray]
@@ -87,20 +81,10 @@ def growing_mode(
     return best
 
 
-def disc(radius: float) -> Candidates:
-    """Slopes that keep the sign of f, Re(d) >= 0, up to this size: the real ones, then all."""
-    sizes: FloatArray = 0.999999 * radius * np.arange(11.0) / 10.0
-    return sizes, np.concatenate([_turned(sizes, TURNS), _turned(sizes[1:], -TURNS[1:])])
-
-
 def quadrant(unit: float) -> Candidates:
     """Slopes d with Re(d) >= 0 and Im(d) >= 0, of sizes around ``unit``: the real ones, then all."""
     sizes = np.concatenate([[0.0], unit * np.logspace(-4.0, 6.0, 41)])
-    return sizes, _turned(sizes, TURNS)
-
-
-def _turned(sizes: FloatArray, angles: FloatArray) -> ComplexArray:
-    return np.outer(sizes, np.exp(1j * angles)).ravel()
+    return sizes, np.outer(sizes, np.exp(1j * TURNS)).ravel()
 
 
 def _fastest(
@@ -115,21 +99,14 @@ def _fastest(
         if shares[i, j] <= 0.0:
             break
         x, s = vectors[i, :, j], complex(values[i, j])
-        mode = GrowingMode(x, tried[i] * (h @ x), tried[i], s, float(shares[i, j]))
-        if _grows(a, b, mode) and admitted(mode):
+        f = tried[i] * (h @ x)
+        # Re x*P x' = Re(s) x*P x + Re x*P r with the residual r = a x + b f - s x, and abs(x*P r) is at most
+        # sqrt(condition number of P) abs(r) / abs(x) times x*P x. The rounding of r counts as well.
+        residual = np.abs(a @ x + b @ f - s * x) + rounding((a, x), (b, f))
+        mode = GrowingMode(x, f, tried[i], s, float(shares[i, j]))
+        if s.real * np.linalg.norm(x) > CLOSE * np.linalg.norm(residual) and admitted(mode):
             return tried[i], mode
     return tried[order[0][0]], None
-
-
-def _grows(a: FloatArray, b: FloatArray, mode: GrowingMode) -> bool:
-    """Whether the motion solves its equation so well that it grows whatever P it is measured by.
-
-    Re x*P x' = Re(s) x*P x + Re x*P r with the residual r = a x + b f - s x, and abs(x*P r) is at most
-    sqrt(condition number of P) abs(r) / abs(x) times x*P x. The rounding of r counts as well.
-    """
-    x, f = mode.state, mode.value
-    residual = np.abs(a @ x + b @ f - mode.eigenvalue * x) + rounding((a, x), (b, f))
-    return mode.eigenvalue.real * float(np.linalg.norm(x)) > CLOSE * float(np.linalg.norm(residual))
 
 
 def rounding(*products: tuple[FloatArray, ComplexArray]) -> FloatArray:
@@ -342,7 +319,16 @@ class Followed(Loop, frozen=True):
             second = float((x.conj() @ bound.Psi1 @ x - f.conj() @ f).real)
             return first >= 0.0 and second >= 0.0 and _agree(f, argument, rounding((self.h, x)))
 
-        slopes = [disc(_steepest(bound.Psi1, row)) for row in self.h]
+        slopes = []
+        for row in self.h:
+            onto = np.linalg.pinv(bound.Psi1) @ row
+            near = 1e-9 * float(np.abs(row).max(initial=0.0))
+            within = np.allclose(bound.Psi1 @ onto, row, rtol=0.0, atol=near) and row @ onto > 0.0
+            # Up to the largest d with d^2 row' row <= Psi1; Re(d) >= 0 keeps the sign of f.
+            steepest = 1.0 / float(np.sqrt(row @ onto)) if within else 0.0
+            sizes: FloatArray = 0.999999 * steepest * np.arange(11.0) / 10.0
+            back = np.outer(sizes[1:], np.exp(-1j * TURNS[1:])).ravel()
+            slopes.append((sizes, np.concatenate([np.outer(sizes, np.exp(1j * TURNS)).ravel(), back])))
         return "A~0 + A~1 D H", growing_mode(self.a, self.b, self.h, slopes, admitted)
 
     def inward(self, units: Coordinates) -> Self:
@@ -356,13 +342,6 @@ class Followed(Loop, frozen=True):
 def _agree(f: ComplexArray, other: ComplexArray, error: FloatArray) -> bool:
     """Whether no component of Re f* other lies below 0, for every ``other`` within this error."""
     return bool(((f.conj() * other).real >= np.abs(f) * error).all())
-
-
-def _steepest(psi: FloatArray, row: FloatArray) -> float:
-    """The largest d with d^2 row' row <= psi."""
-    onto = np.linalg.pinv(psi) @ row
-    within = np.allclose(psi @ onto, row, rtol=0.0, atol=1e-9 * float(np.abs(row).max(initial=0.0)))
-    return 1.0 / float(np.sqrt(row @ onto)) if within and row @ onto > 0.0 else 0.0
 
 
 class TrackingCertificate(msgspec.Struct, frozen=True):
@@ -405,15 +384,7 @@ def theorem_3_2_3(
 
 
 def assumption_3_2_3(plant: Plant, regulator: Generator, Pi: Any) -> MatrixInequalities:
-    """The inequalities of Assumption 3.2.3: those of ``theorem_3_2_2`` without its condition.
-
-    >>> from pointpred_observers import Persidskii
-    >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
-    >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
-    >>> printed = {"P": 2.0, "Gamma": 99.0, "Xi": 1.0, "Omega": 4.0, "Lambda": 1.0}
-    >>> sorted(assumption_3_2_3(plant, regulator, [[1.0]]).check(printed))
-    ['Gamma > 0', 'Lambda >= 0', 'Omega >= 0', 'P > 0', 'Phi', 'Xi']
-    """
+    """The inequalities of Assumption 3.2.3: those of ``theorem_3_2_2`` without its condition."""
     problem = theorem_3_2_2(plant, regulator, Pi)
     problem.blocks.pop("Xi + J' Omega J", None)
     return problem
@@ -474,8 +445,12 @@ def certify_tracking(
     for name, one in both.items():
         matrix_name, mode = one.inward(units[name]).growing()
         if mode is not None:
-            said = mode.text(matrix_name, units[name].seconds)
-            reasons.append(f"Assumption {name}: {said}, must lie left of 0")
+            slopes = ", ".join(number_text(complex(each)) for each in mode.slopes)
+            at = f" at D = diag({slopes})" if slopes else ""
+            value = number_text(mode.eigenvalue / units[name].seconds)
+            reasons.append(
+                f"Assumption {name}: {matrix_name} has the eigenvalue {value}{at}, must lie left of 0"
+            )
     if reasons:
         raise InfeasibleError("; ".join(reasons))
     solutions: list[Solution] = []

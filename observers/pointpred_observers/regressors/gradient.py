@@ -1,7 +1,4 @@
-"""Gradient estimators (3.46), (3.50) and (3.58): regressors as observers of constants.
-
-The parameters are the constant state of a plant; its reversed connection (section 3.3) estimates them.
-"""
+"""Gradient estimators (3.46), (3.50) and (3.58): observers of constants, which are the state of a plant."""
 
 from __future__ import annotations
 
@@ -54,7 +51,7 @@ class Memory(Layout):
 class Parts(NamedTuple):
     """Start (n) and gain (n, n); whether there was a sample, and t; theta minus its start; two samples.
 
-    The second sample lies within an interval; then there is space for a step of the integration (n each).
+    The second sample lies within an interval; then the numbers of a step of the integration (n each).
     """
 
     start: FloatArray
@@ -286,8 +283,7 @@ class GradientRegressor(_Estimator):
     """Gradient estimator of constants x in y = D x, as a differential equation or sample by sample.
 
     Assumes a regressor D that is persistently exciting: nothing is learned in directions that D does not
-    excite, and drifting constants are tracked with a lag. Noise is not averaged. More gain is not always
-    faster: a large one keeps the estimate on the plane of the newest sample, along which it moves slowly.
+    excite, and drifting constants are tracked with a lag. Noise is not averaged.
 
     Continuous (3.46): theta' = G D'(y - D theta), with D and y linear between two samples; of
     second order in the interval, exact in theta for one output, and no gain is too large.
@@ -340,8 +336,8 @@ class GradientRegressor(_Estimator):
             raise EventError("the continuous law needs the time of every sample, received t=None", field="t")
         if (estimate := self._taken(t, regressor=regressor, output=output)) is None:
             raise EventError(
-                "the trace of D G D' must lie below 2, where a step may enlarge the error, received "
-                f"regressor {regressor!r}: choose a smaller gain or normalised=True",
+                f"the trace of D G D' must lie below 2, received regressor {regressor!r}: choose a smaller "
+                "gain or normalised=True",
                 field="regressor",
                 value=regressor,
             )
@@ -352,7 +348,7 @@ class NonlinearRegressor(_Estimator):
     """Estimator of constants x in y = (1 - D1) J x + D1 f(J x), a mean of a linear and a saturating sensor.
 
     Assumes that J is persistently exciting and f nondecreasing; where f is flat and D1 near 1 nothing is
-    learned. Drifting constants are tracked with a lag.
+    learned.
 
     theta' = g J'(y - (1 - D1) J theta - D1 f(J theta)), with J, D1 and y linear between two samples,
     by the classical Runge-Kutta method in steps of half the fastest time constant.
@@ -392,9 +388,8 @@ class NonlinearRegressor(_Estimator):
     def update(self, regressor: ArrayLike, weight: float, output: ArrayLike, t: float) -> FloatArray:
         """Process a sample at ``t`` s with ``weight`` D1 and return the estimate.
 
-        Raises EventError for values that are not finite or of another shape, a weight outside [0, 1], or a
-        gap over which the gain is too large; EventOrderError when time runs backwards; the stage is then
-        unchanged.
+        Raises EventError as ``GradientRegressor`` does, for a weight outside [0, 1], and for a gap over which
+        the gain is too large; EventOrderError when time runs backwards; the stage is then unchanged.
         """
         if (estimate := self._taken(t, regressor=regressor, output=output, weight=weight)) is None:
             raise EventError(

@@ -37,14 +37,6 @@ def intervals_of(region: StateRegion, over: Sequence[Any], *, whole: bool = Fals
     """The intervals by symbol, of all symbols if ``whole``; pairs in order may not leave any out.
 
     Raises ParameterError for an unknown state, a missing one and what is no finite interval.
-
-    >>> import sympy as sp
-    >>> w = sp.symbols("w1 w2")
-    >>> intervals_of({"w2": (-1, 1)}, w)
-    {w2: (-1.0, 1.0)}
-    >>> intervals_of([(0.0, 1.0)], w)
-    Traceback (most recent call last):
-    pointpred.errors.ParameterError: region needs 2 pairs (low, high), received [(0.0, 1.0)]
     """
 
     def wrong(needs: str, value: Any) -> ParameterError:
@@ -95,13 +87,7 @@ def enclosure(
 ) -> tuple[float, float]:
     """Bounds of the expression over the box, rounded outwards and tight up to the size of one of ``parts``.
 
-    Raises ParameterError where the expression has no bounded enclosure or depends on other symbols.
-
-    >>> import sympy as sp
-    >>> x = sp.Symbol("x")
-    >>> low, high = enclosure(x**2 - x, {x: (0.0, 1.0)})
-    >>> -0.26 < low <= -0.25, 0.0 <= high < 0.01
-    (True, True)
+    Raises ParameterError where it has no bounded enclosure or depends on other symbols.
     """
     over = sorted(expression.free_symbols, key=str)
     if missing := [str(one) for one in over if one not in box]:
@@ -128,13 +114,6 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: State
     A box whose enclosure contains zero is halved; if that does not end, the answer is undecided. Raises
     InfeasibleError naming a place where it vanishes or has no value, UndecidedError if neither could be
     shown, ParameterError for parameters without value. A constant of parameters is taken as generic.
-
-    >>> import sympy as sp
-    >>> w = sp.Symbol("w")
-    >>> prove_nonzero("g", 1 + w**2, [w], None)
-    >>> prove_nonzero("g", 2 - w**2, [w], [(0.0, 2.0)])
-    Traceback (most recent call last):
-    pointpred.errors.InfeasibleError: g vanishes at w = 1.41421
     """
     if shortened(expression) == 0:
         raise InfeasibleError(f"{name} vanishes everywhere")
@@ -217,8 +196,7 @@ def interlaced(
       pi_(i+1) = (Dpi_i s - f_i) / g_i and l = (Dpi_n s - f_n) / g_n.
     - Upper part (Proposition 4.3.2): zeta_i' = f_i of zeta_i, later states and z, analytic and zero at the
       origin, as power series up to ``degree``, accurate near the origin only, unless they end. The series is
-      the centre manifold. The print solves a Cauchy problem with pi = 0 where w_q = 0 instead; its solution
-      changes with each revolution of the generator and is not a steady state.
+      the centre manifold; the Cauchy problem of the print has a solution that is not a steady state.
 
     Rows of the upper part may also contain later states of the lower part if these can be solved without it
     (Example 9). Attraction is not proved.
@@ -261,9 +239,8 @@ def interlaced(
                 f"zero must hold {len(system.zero)} maps, received {len(zero)}", field="zero"
             )
         given |= zip(system.zero, zero, strict=True)
-    return _Solving(system, generator, known_degree(degree), region, system.functions(given)).solve(
-        dict(pairwise(chain)), [(x,) for x in system.states[:upper][::-1]]
-    )
+    maps = system.functions(given)
+    return _solved(system, generator, known_degree(degree), region, maps, dict(pairwise(chain)), upper)
 
 
 def _require_form(system: SymbolicSystem, upper: int, chain: Sequence[Any]) -> None:
@@ -283,83 +260,69 @@ def _require_form(system: SymbolicSystem, upper: int, chain: Sequence[Any]) -> N
             raise ParameterError(f"{x}' may contain {allowed}, received {sorted(map(str, wrong))}")
 
 
-class _Solving:
-    """The maps solved so far, and the rules that solve the next one."""
+def _solved(
+    system: SymbolicSystem,
+    generator: SymbolicGenerator,
+    degree: int | None,
+    region: StateRegion,
+    maps: dict[Any, Any],
+    following: dict[Any, Any],
+    upper: int,
+) -> SymbolicSteadyState:
+    """Apply the rules of both propositions until every map is solved; raises ParameterError if none applies.
 
-    def __init__(
-        self,
-        system: SymbolicSystem,
-        generator: SymbolicGenerator,
-        degree: int | None,
-        region: StateRegion,
-        maps: dict[Any, Any],
-    ) -> None:
-        self.system, self.generator, self.degree, self.region = system, generator, degree, region
-        self.maps, self.imposed = maps, [z for z in system.zero if z in maps]
-        self.rows = dict(
-            zip((*system.states, *system.zero), (*system.field, *system.zero_field), strict=True)
-        )
-        self.symbols = {*self.rows, system.input}
-        self.free: list[Free] = []
-        self.series_used = False
-        self.divided: list[Any] = []
+    ``maps``: those that are given; ``following``: what the row of each lower state gives.
+    """
+    names = (*system.states, *system.zero)
+    rows = dict(zip(names, (*system.field, *system.zero_field), strict=True))
+    w, free, divided = generator.states, list[Free](), list[Any]()
+    expanded = False
+    imposed = [z for z in system.zero if z in maps]
 
-    def solve(self, following: dict[Any, Any], series: list[tuple[Any, ...]]) -> SymbolicSteadyState:
-        """Apply the rules until every map is solved; raises ParameterError if no rule applies.
+    def missing(x: Any, *besides: Any) -> set[Any]:
+        wanted: set[Any] = rows[x].free_symbols & {*rows, system.input}
+        return wanted - maps.keys() - {*besides}
 
-        ``following``: what the row of each lower state gives; ``series``: the upper states in their order.
-        """
-        blocks = [*series, self.system.zero]
-        while self._divide(following) or self._expand(blocks):
-            pass
-        if waiting := [x for x in self.rows if x not in self.maps]:
-            states = [x for x in self.system.states if self._missing(x, {x})]
-            needs = "; ".join(f"{x}' needs {sorted(self._missing(x, {x}), key=str)}" for x in states)
-            raise ParameterError(f"no order of solving leads to {waiting}: {needs}")
-        residuals = self.system.residuals(self.generator, self.maps, self.divided)
-        for z in self.imposed:
-            if not self.series_used and residuals[z] != 0:
-                raise ParameterError(
-                    f"{z}' is not satisfied by {z} = {self.maps[z]}: the residual is {residuals[z]}"
-                )
-        system, degree = self.system, self.degree if self.series_used else None
-        maps, zero = (tuple(self.maps[x] for x in part) for part in (system.states, system.zero))
-        left, ell = tuple(residuals.values()), self.maps[system.input]
-        return SymbolicSteadyState(system, self.generator, maps, zero, ell, left, degree, tuple(self.free))
-
-    def _missing(self, x: Any, besides: set[Any]) -> set[Any]:
-        """The symbols of a row that are not solved yet."""
-        wanted: set[Any] = self.rows[x].free_symbols & self.symbols
-        return wanted - self.maps.keys() - besides
-
-    def _divide(self, following: dict[Any, Any]) -> bool:
+    def divide() -> bool:
         """Proposition 4.3.1: a row of the lower part gives the unknown that it contains first."""
         for x, target in following.items():
-            if x in self.maps and target not in self.maps and not self._missing(x, {x, target}):
-                gain = symbolic().diff(self.rows[x], target).subs(self.maps, simultaneous=True)
-                drift = self.rows[x].subs(target, 0).subs(self.maps, simultaneous=True)
-                prove_nonzero(f"g of {x}'", gain, self.generator.states, self.region)
-                self.divided.append(x)
-                self.maps[target] = shortened((self.generator.along(self.maps[x]) - drift) / gain)
+            if x in maps and target not in maps and not missing(x, x, target):
+                gain = symbolic().diff(rows[x], target).subs(maps, simultaneous=True)
+                drift = rows[x].subs(target, 0).subs(maps, simultaneous=True)
+                prove_nonzero(f"g of {x}'", gain, w, region)
+                divided.append(x)
+                maps[target] = shortened((generator.along(maps[x]) - drift) / gain)
                 return True
         return False
 
-    def _expand(self, blocks: list[tuple[Any, ...]]) -> bool:
-        """Proposition 4.3.2: a row of the upper part, or the zero dynamics, as a power series."""
-        waiting = [one for one in blocks if any(x not in self.maps for x in one)]
-        upper = [one for one in waiting if one is not self.system.zero]
-        for block in (*upper[:1], *(one for one in waiting if one is self.system.zero)):
-            if any(self._missing(x, set(block)) for x in block):
+    def expand() -> bool:
+        """Proposition 4.3.2: the next row of the upper part, or the zero dynamics, as a power series."""
+        nonlocal expanded
+        blocks = [(x,) for x in system.states[:upper][::-1] if x not in maps][:1]
+        blocks += [system.zero] if any(z not in maps for z in system.zero) else []
+        for block in blocks:
+            if any(missing(x, *block) for x in block):
                 continue
-            if self.degree is None:
+            if degree is None:
                 raise ParameterError(f"{block[0]}' needs a power series: give its degree, received None")
-            fields = [self.rows[x] for x in block]
-            wanted = set().union(*(f.free_symbols for f in fields)) & self.maps.keys()
-            w, s = self.generator.states, self.generator.field
-            inputs = {symbol: self.maps[symbol] for symbol in wanted}
-            maps, free = power_series(block, fields, inputs, w, s, self.degree)
-            self.maps |= maps
-            self.free += free
-            self.series_used = True
+            fields = [rows[x] for x in block]
+            inputs = {x: maps[x] for x in set().union(*(f.free_symbols for f in fields)) & maps.keys()}
+            found, terms = power_series(block, fields, inputs, w, generator.field, degree)
+            maps.update(found)
+            free.extend(terms)
+            expanded = True
             return True
         return False
+
+    while divide() or expand():
+        pass
+    if waiting := [x for x in rows if x not in maps]:
+        needs = [f"{x}' needs {sorted(missing(x, x), key=str)}" for x in system.states if missing(x, x)]
+        raise ParameterError(f"no order of solving leads to {waiting}: {'; '.join(needs)}")
+    residuals = system.residuals(generator, maps, divided)
+    for z in imposed:
+        if not expanded and residuals[z] != 0:
+            raise ParameterError(f"{z}' is not satisfied by {z} = {maps[z]}: the residual is {residuals[z]}")
+    pi, rho = (tuple(maps[x] for x in part) for part in (system.states, system.zero))
+    left, cut_at = tuple(residuals.values()), degree if expanded else None
+    return SymbolicSteadyState(system, generator, pi, rho, maps[system.input], left, cut_at, tuple(free))
