@@ -254,9 +254,9 @@ class DrivenObserver(Observer, msgspec.Struct, frozen=True):
         Assumes that x = Pi w attracts the plant (Assumption 3.2.2), which needs a certificate of its own.
 
         Parameters: ``Pi`` (n, q) with x = Pi w, by default that of ``steady_state_map``; ``gain`` M (q, p)
-        to certify instead of computing one; ``decay`` in 1/s (1/step), demanded of the error.
-        Raises InfeasibleError naming the undetectable eigenvalue before any solver runs; what the solver
-        raises; ParameterError where slopes are not bounded.
+        to certify instead of computing one; ``decay`` in 1/s (1/step), demanded of the error. Raises
+        InfeasibleError naming the undetectable eigenvalue or the equality of the map that fails, before any
+        solver runs; what the solver raises; ParameterError where slopes are not bounded.
         """
         generator = instance("generator", generator, Generator)
         pi = steady_state_map(plant, generator).Pi if Pi is None else Pi
@@ -315,10 +315,8 @@ class DrivenObserver(Observer, msgspec.Struct, frozen=True):
         def field(t: float, both: FloatArray) -> FloatArray:
             return closed_loop(one, moved, t, both, rho=rho(t), d=d(t))
 
-        both = run(field, start, times, one.time == "discrete")
-        state, driving = both[:, : one.n], both[:, one.n :]
-        outputs = setting.measured(outputs_of(one, times, state))
-        inputs = sampled(rho, times)
+        state, driving = np.split(run(field, start, times, one.time == "discrete"), [one.n], axis=1)
+        inputs, outputs = sampled(rho, times), setting.measured(outputs_of(one, times, state))
         stage = self.stage(start=setting.begin(g.q, "estimate", 0.0))
         answers = walked(stage, times, outputs, inputs)
         return Simulation.of(
@@ -438,14 +436,15 @@ def driven(
             "Xi": lambda v: v.bound * np.eye(q),
         }
         problem = MatrixInequalities("Theorem 3.2.1").positive("P", q).number("bound")
+        inner, form, near = connection.inward(units), np.outer(x, x), None
         if fixed_gain is None:
             problem.free("U", q, p)
+            near = _start(inner, decay if discrete else 0.5 * c, spare)
         else:
             inner_gain = inward(fixed_gain, x, y, t)
             fixed["U"] = lambda v: v.P @ inner_gain
-        if connection.sloped and plant.time == "continuous":
+        if connection.sloped and not discrete:
             problem.symmetric("W", q)
-        inner, form = connection.inward(units), np.outer(x, x)
         measured = {
             "P": form,
             "Theta": t * form,
@@ -454,17 +453,16 @@ def driven(
             "U": t * np.outer(x, y),
             "W": t * form,
         }
-        near = _start(inner, decay if discrete else 0.5 * c, spare) if fixed_gain is None else None
         return Posed(inner.state(problem, **fixed), measured, lambda v: v.bound, near, fixed)
 
     def audited(values: dict[str, Any], gap: float) -> DrivenObserver:
         u = values.pop("U")
-        if fixed_gain is not None:
-            return certified_design(plant, generator, Pi, fixed_gain, values, gap)
-        m = solved(values["P"], u)
+        m = solved(values["P"], u) if fixed_gain is None else fixed_gain
         try:
             return certified_design(plant, generator, Pi, m, values, gap)
         except CertificateError:
+            if fixed_gain is not None:
+                raise
             # The rounding of a large M = P^-1 U can exceed the margins of U: that M needs a P of its own.
             again = driven(plant, generator, Pi, gain=m, decay=decay)
             return msgspec.structs.replace(again, gap=np.inf)
@@ -522,14 +520,12 @@ def _start(connection: Interconnection, decay: float, spare: float) -> dict[str,
     if connection.sloped:
         slope = middle(connection.slopes) @ connection.j
         a, output = a + g.S1 @ slope, output + connection.shown @ slope
-    start = filter_start(a, output, 1.01 * decay + 0.01, connection.plant.time)
-    if start is None:
+    if (start := filter_start(a, output, 1.01 * decay + 0.01, connection.plant.time)) is None:
         return None
     p, u = start
     if discrete:
         onward = p @ a - u @ output
         rest = spare * p - onward.T @ np.linalg.solve(p, onward)
-        w = None
     else:
         w = cover(p @ g.S1 - u @ connection.shown, connection.j, connection.slopes)
         upper = p @ g.S0 - u @ connection.output + w
@@ -537,6 +533,6 @@ def _start(connection: Interconnection, decay: float, spare: float) -> dict[str,
     room = float(np.linalg.eigvalsh(0.5 * (rest + rest.T))[0])
     scale = max(1.0, 2.0 * spare / room) if room > 0.0 else 1.0
     values: dict[str, Any] = {"P": scale * p, "U": scale * u, "bound": 1.0}
-    if connection.sloped and w is not None:
+    if connection.sloped and not discrete:
         values["W"] = scale * w
     return values

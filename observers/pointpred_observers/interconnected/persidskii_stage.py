@@ -127,7 +127,7 @@ class Realisation:
         """A bound of the rates of the stage at a time in 1/s, with its inputs measured or missing.
 
         The Perron root of abs(N) + abs(L) S abs(J) bounds each eigenvalue of N + L D J with abs(D) <= S, in
-        any units.
+        any units. Missing inputs that are values are functions of w, the others are states.
         """
         n, ell, j, k, r, v0, v1, v2 = (self.at(x, t) for x in ("N", "L", "J", "K", "R", "V0", "V1", "V2"))
         valued, rest = self.valued, ~self.valued
@@ -135,21 +135,15 @@ class Realisation:
         if self.f.slopes is not None and self.k == self.r:
             steepest = np.abs(np.array(self.f.slopes, np.float64).reshape(-1, 2)).max(axis=1)
             spread = np.diag(np.where(np.isfinite(steepest), steepest, 0.0))
-        measured = np.abs(n) + np.abs(ell) @ spread @ np.abs(j)
-        # Missing inputs that are values are functions of w; the others are states.
-        moved = np.abs(ell + k[:, valued] @ v1[valued]) @ spread
-        turned = np.abs(v1[rest]) @ spread
-        within = np.abs(n + k[:, valued] @ v0[valued]) + moved @ np.abs(j + r[:, valued] @ v0[valued])
-        bridged = np.block(
-            [
-                [within, np.abs(k[:, rest]) + moved @ np.abs(r[:, rest])],
-                [
-                    np.abs(v0[rest]) + turned @ np.abs(j),
-                    np.abs(v2[np.ix_(rest, rest)]) + turned @ np.abs(r[:, rest]),
-                ],
-            ]
-        )
-        return max(perron_root(measured), perron_root(bridged))
+
+        def rate(n: FloatArray, ell: FloatArray, j: FloatArray) -> float:
+            return perron_root(np.abs(n) + np.abs(ell) @ spread @ np.abs(j))
+
+        within, across = n + k[:, valued] @ v0[valued], k[:, rest]
+        bridged = np.block([[within, across], [v0[rest], v2[np.ix_(rest, rest)]]])
+        moved = np.vstack([ell + k[:, valued] @ v1[valued], v1[rest]])
+        inner = np.hstack([j + r[:, valued] @ v0[valued], r[:, rest]])
+        return max(rate(n, ell, j), rate(bridged, moved, inner))
 
     def longest(self, t: float) -> float:
         """The longest step from t on, in s: it follows the fastest eigenvalue of the matrices."""
@@ -339,20 +333,18 @@ class PersidskiiStage(CompiledStage):
     def _refused(self, t: float, last: float) -> EventError:
         """The refusal of a sample after an interval that is too long, in discrete time not one step."""
         if self.time == "discrete":
-            return EventError(
+            reason = (
                 f"the sample at index {t:g} comes after index {last:g}, a sample is one step: give a sample "
-                f"without measurements, update({last + 1.0:g}, None), for each missing index, or call reset",
-                field="t",
-                value=t,
+                f"without measurements, update({last + 1.0:g}, None), for each missing index, or call reset"
             )
-        longest = self._bridged if self._plain is None else self._plain.bridged(last)
-        return EventError(
-            f"the sample at t = {t!r} comes {t - last:g} s after the last one, the stage bridges at most "
-            f"{longest:g} s, {law.STEPS_MOST:.0e} steps: sample more often, or give gap_s, after "
-            "which it starts again",
-            field="t",
-            value=t,
-        )
+        else:
+            longest = self._bridged if self._plain is None else self._plain.bridged(last)
+            reason = (
+                f"the sample at t = {t!r} comes {t - last:g} s after the last one, the stage bridges at most "
+                f"{longest:g} s, {law.STEPS_MOST:.0e} steps: sample more often, or give gap_s, after "
+                "which it starts again"
+            )
+        return EventError(reason, field="t", value=t)
 
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
         """Run the law over rows, resetting before each row marked ``begin``; continues from the memory.

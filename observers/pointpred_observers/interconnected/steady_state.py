@@ -43,9 +43,9 @@ SUBSPACES_MOST = 5000
 class SteadyState(msgspec.Struct, frozen=True):
     """A steady-state map: ``Pi`` (n, q), ``J`` = H Pi, the largest ``residuals`` by equality.
 
-    If Pi is not unique, ``basis`` holds the ``nullity`` directions that keep every equality (to first order
-    for a Riccati equation), shape (nullity, n, q). ``others`` are the further isolated solutions of a Riccati
-    equation; Pi is the one from which the plant's error decays fastest.
+    ``basis`` (nullity, n, q) holds the ``nullity`` directions that keep every equality (to first order for a
+    Riccati equation). ``others`` are the further isolated solutions of a Riccati equation; with Pi the
+    plant's error decays fastest.
     """
 
     Pi: FloatArray
@@ -116,18 +116,17 @@ def steady_state_map(
 ) -> SteadyState:
     """Pi such that x = Pi w is a solution of plant and generator without disturbances.
 
-    Assumes nothing about stability: Pi w need not attract x. For a plant whose matrices vary, Pi is constant
-    and satisfies the equalities at each of ``times``, which are then required. With G C0 = 0 the equalities
-    are linear and solved by least squares; otherwise the first equality is a Riccati equation, whose isolated
-    solutions are found as graphs of invariant subspaces of ((S0, G C0), (B L0, A0)).
+    Assumes nothing about stability: Pi w need not attract x. With G C0 = 0 the equalities are linear and
+    solved by least squares; otherwise the first is a Riccati equation, whose isolated solutions are found as
+    graphs of invariant subspaces of ((S0, G C0), (B L0, A0)).
 
     (A0 - Pi G C0) Pi - Pi S0 + B L0 = 0, A1 + B L1 - Pi (S1 + G C1) = 0, Q = Pi E, J = H Pi;
     ``relaxed``: A1 = Pi G C1 and B L1 = Pi S1 instead of the second, and nothing about J.
 
     Parameters: ``tolerance`` of a residual, (0, 1), relative to its own terms, for matrices rounded in
-    print; ``times`` in s (indices in discrete time). Raises InfeasibleError naming the
-    violated equality and its residual, ParameterError, UndecidedError where a Riccati equation has no
-    isolated solution that satisfies the rest.
+    print; ``times`` in s (indices in discrete time) at which a constant Pi has to satisfy the equalities of
+    a plant that varies. Raises InfeasibleError naming the violated equality and its residual, ParameterError,
+    UndecidedError where a Riccati equation has no isolated solution that satisfies the rest.
 
     Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1; Lancaster and Rodman 1995, chapter 7.
 
@@ -143,7 +142,7 @@ def steady_state_map(
     instance("generator", generator, Generator)
     if generator.f is not None and not relaxed:
         raise ParameterError(
-            "a generator with an f of its own needs relaxed=True, as J = H Pi says nothing then"
+            "a generator with an f of its own needs relaxed=True: J = H Pi says nothing then"
         )
     varying = f"the plant ({', '.join(plant.varying)})" if plant.varying else ""
     plants = [plant.at(t) for t in moments(varying, times, "to hold")]
@@ -235,8 +234,8 @@ def _name_first(left: Callable[[FloatArray], Equalities], count: int, tolerance:
 class RegulatorEquations(msgspec.Struct, frozen=True):
     """Pi, L0 and L1 such that x = Pi w solves the plant under u = L0 w + L1 f(H Pi w), and R Pi = F.
 
-    ``R`` (any, n) and ``F`` (as many, q) are zero where nothing is to be followed. ``residuals`` by equality;
-    ``nullity``: how many independent directions of (Pi, L0, L1) change no equality.
+    ``R`` and ``F`` are zero where nothing is to be followed. ``residuals`` by equality; ``nullity``: how many
+    independent directions of (Pi, L0, L1) change no equality.
     """
 
     Pi: FloatArray
@@ -258,14 +257,13 @@ def regulator_equations(
     """Solve (3.3) for the input: the map Pi and the gains with which the plant can follow a generator.
 
     A0 Pi + B L0 = Pi S0, A1 + B L1 = Pi S1 and, with ``following`` = (R, F), R Pi = F: the combinations R x
-    of the states follow F w. The solution of least norm where there are several. What makes x approach Pi w
-    is another question: see ``design_regulator``.
+    of the states follow F w. The solution of least norm where there are several.
 
     Assumes a generator without G (its L0 and L1 are not used) and constant matrices.
 
     Parameters: ``following`` R (any, n) and F (as many, q); ``tolerance`` of a residual, (0, 1), relative to
-    its own terms. Raises InfeasibleError naming the equality that cannot hold and, where
-    it is one, the zero of the plant from the input to R x that equals an eigenvalue of S0; ParameterError.
+    its own terms. Raises InfeasibleError naming the equality that cannot hold and, where it is one, the zero
+    of the plant from the input to R x that equals an eigenvalue of S0; ParameterError.
 
     Reference: Khalin 2022, (3.3) with G = 0; Francis and Wonham 1976.
 
@@ -279,7 +277,7 @@ def regulator_equations(
     g = fitted(generator, one)
     require_same_nonlinearity(one, generator)
     if g.G.any():
-        raise ParameterError("the regulator equations need a generator without G, received one with G")
+        raise ParameterError("the regulator equations need a generator without G")
     tolerance = share("tolerance", tolerance)
     if following is None:
         following = [[0.0] * one.n], [[0.0] * g.q]
@@ -312,8 +310,8 @@ def checked_equations(
     q = len(S0)
     rows = matrix("R", R, None, plant.n)
     problem = _Regulation(plant, S0, np.zeros((q, plant.k)), rows, matrix("F", F, len(rows), q))
-    given = zip(problem.shapes.items(), (Pi, L0, L1), strict=True)
-    numbers = np.concatenate([matrix(name, one, *shape).ravel() for (name, shape), one in given])
+    given = matrix("Pi", Pi, plant.n, q), matrix("L0", L0, plant.m, q), matrix("L1", L1, plant.m, plant.k)
+    numbers = np.concatenate([one.ravel() for one in given])
     name = problem.failing(numbers, TOLERANCE)
     if name is not None:
         raise CertificateError(
@@ -334,22 +332,15 @@ class _Regulation(msgspec.Struct, frozen=True):
     wanted: FloatArray
 
     @property
-    def shapes(self) -> dict[str, tuple[int, int]]:
-        """Of the unknown matrices."""
-        n, m, k, q = self.plant.n, self.plant.m, self.plant.k, len(self.s0)
-        return {"Pi": (n, q), "L0": (m, q), "L1": (m, k)}
-
-    @property
     def count(self) -> int:
         """How many numbers there are."""
-        return sum(rows * columns for rows, columns in self.shapes.values())
+        return int((self.plant.n + self.plant.m) * len(self.s0) + self.plant.m * self.plant.k)
 
-    def split(self, numbers: FloatArray) -> list[FloatArray]:
+    def split(self, numbers: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Pi, L0 and L1."""
-        shapes = self.shapes.values()
-        ends = np.cumsum([rows * columns for rows, columns in shapes])[:-1]
-        parts = np.split(numbers, ends)
-        return [part.reshape(shape) for part, shape in zip(parts, shapes, strict=True)]
+        n, m, q = self.plant.n, self.plant.m, len(self.s0)
+        both, l1 = np.split(numbers, [(n + m) * q])
+        return both[: n * q].reshape(n, q), both[n * q :].reshape(m, q), l1.reshape(m, self.plant.k)
 
     def left(self, numbers: FloatArray) -> Equalities:
         """The equalities at these numbers."""

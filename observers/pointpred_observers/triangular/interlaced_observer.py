@@ -331,16 +331,13 @@ class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
 def _first(given: Any, generator: SymbolicGenerator) -> Any:
     """The steady state of the first lower row; raises ParameterError for another symbol than those of w."""
     if given is None:
-        raise ParameterError(
-            "an interlaced observer needs first, the steady state of the first lower row, such as w1",
-            field="first",
-        )
+        raise ParameterError("give first, the steady state of the first lower row, such as w1", field="first")
     first = parsed(given, "first") if isinstance(given, str) else given
-    foreign = sorted(map(str, getattr(first, "free_symbols", set()) - set(generator.states)))
+    foreign = getattr(first, "free_symbols", set()) - set(generator.states)
     if foreign:
         raise ParameterError(
             f"first may hold the generator's states {', '.join(map(str, generator.states))}, received "
-            f"{given!r} with {', '.join(foreign)}",
+            f"{given!r} with {', '.join(sorted(map(str, foreign)))}",
             field="first",
         )
     return first
