@@ -73,12 +73,6 @@ class State(NamedTuple):
 
 
 @law
-def floats(q: int, k: int, inputs: int) -> int:
-    """Number of floats of the state."""
-    return 2 + 5 * (q + inputs) + k + inputs
-
-
-@law
 def parts_of(memory: Memory) -> tuple[Matrices, State]:
     """The matrices and the state in their places."""
     q, k, m, p = int(memory.states), int(memory.components), int(memory.inputs), int(memory.outputs)
@@ -288,8 +282,15 @@ def along_both(total: float, row: FloatArray, one: FloatArray, other: FloatArray
 
 
 @law
-def read(m: Matrices, s: State, out: FloatArray) -> None:
-    """R0 w + R1 f(Jw + R i) + R2 i."""
+def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
+    """Integrate to the sample (t, inputs) and write R0 w + R1 f(Jw + R i) + R2 i to ``out``.
+
+    A t that is refused changes nothing.
+    """
+    m, s = parts_of(memory)
+    verdict = advance(memory, m, s, row)
+    if verdict >= BACKWARDS:
+        return verdict
     q = len(m.start)
     w, last = s.both[:q], s.both[q:]
     for j in range(len(m.codes)):
@@ -297,15 +298,6 @@ def read(m: Matrices, s: State, out: FloatArray) -> None:
         s.nonlinear[j] = nonlinearity.value(m.codes[j], argument)
     for i in range(len(m.R0)):
         out[i] = along(along(along_both(0.0, m.R0[i], w, m.start), m.R1[i], s.nonlinear), m.R2[i], last)
-
-
-@law
-def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
-    """Integrate to the sample (t, inputs) and return the outputs; a t that is refused changes nothing."""
-    m, s = parts_of(memory)
-    verdict = advance(memory, m, s, row)
-    if verdict < BACKWARDS:
-        read(m, s, out)
     return verdict
 
 

@@ -317,7 +317,7 @@ class PersidskiiStage(CompiledStage):
             settings = np.concatenate(
                 [sizes, parts.f.codes or (), *(np.ravel(one) for one in (*held.values(), *own))]
             )
-            states = law.floats(parts.q, parts.k, parts.m)
+            states = 2 + 5 * (parts.q + parts.m) + parts.k + parts.m
         self.lay_out(settings, states)
 
     def declare(self, **values: Any) -> None:

@@ -8,11 +8,6 @@ static const int64_t interconnected_persidskii_law_SKIPPED = 4;
 static const int64_t interconnected_persidskii_law_STEPS_MOST = INT64_C(100000);
 static const int64_t interconnected_persidskii_law_TOO_LONG = 3;
 
-/* Number of floats of the state. */
-int64_t interconnected_persidskii_law_floats(int64_t q, int64_t k, int64_t inputs) {
-  return 2 + 5 * (q + inputs) + k + inputs;
-}
-
 /* The matrices and the state in their places. */
 T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ interconnected_persidskii_law_parts_of(interconnected_persidskii_law_Memory * memory) {
   int64_t q, k, m, p, n_at, l_at, j_at, k_at, r0_at, r1_at, r_at, r2_at, start_at, valued_at, v0_at, v1_at, v2_at, first_at, clock_at, both_at, total_at, stage_at, change_at, step_at, f_at, absent_at;
@@ -236,34 +231,29 @@ double interconnected_persidskii_law_along_both(double total, Vector row, Vector
   return total;
 }
 
-/* R0 w + R1 f(Jw + R i) + R2 i. */
-void interconnected_persidskii_law_read(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector out) {
-  int64_t q;
-  Vector w, last;
-  double argument;
-  q = m.start.n;
-  w = (Vector){s.both.p, q};
-  last = (Vector){s.both.p + q, s.both.n - q};
-  for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
-    argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){m.R.p + j * m.R.m, m.R.m}, last), (Vector){m.J.p + j * m.J.m, m.J.m}, w, m.start);
-    s.nonlinear.p[j] = plants_nonlinearity_value(m.codes.p[j], argument);
-  }
-  for (int64_t i = 0, end_2 = m.R0.n; i < end_2; i++) {
-    out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along_both(0.0, (Vector){m.R0.p + i * m.R0.m, m.R0.m}, w, m.start), (Vector){m.R1.p + i * m.R1.m, m.R1.m}, s.nonlinear), (Vector){m.R2.p + i * m.R2.m, m.R2.m}, last);
-  }
-}
-
-/* Integrate to the sample (t, inputs) and return the outputs; a t that is refused changes nothing. */
+/* Integrate to the sample (t, inputs) and write R0 w + R1 f(Jw + R i) + R2 i to ``out``. */
 int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out) {
   interconnected_persidskii_law_Matrices m;
   interconnected_persidskii_law_State s;
-  int64_t verdict;
+  int64_t verdict, q;
+  Vector w, last;
+  double argument;
   T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ values_1 = interconnected_persidskii_law_parts_of(memory);
   m = values_1.f0;
   s = values_1.f1;
   verdict = interconnected_persidskii_law_advance(memory, m, s, row);
-  if (verdict < interconnected_persidskii_law_BACKWARDS) {
-    interconnected_persidskii_law_read(m, s, out);
+  if (verdict >= interconnected_persidskii_law_BACKWARDS) {
+    return verdict;
+  }
+  q = m.start.n;
+  w = (Vector){s.both.p, q};
+  last = (Vector){s.both.p + q, s.both.n - q};
+  for (int64_t j = 0, end_2 = m.codes.n; j < end_2; j++) {
+    argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){m.R.p + j * m.R.m, m.R.m}, last), (Vector){m.J.p + j * m.J.m, m.J.m}, w, m.start);
+    s.nonlinear.p[j] = plants_nonlinearity_value(m.codes.p[j], argument);
+  }
+  for (int64_t i = 0, end_3 = m.R0.n; i < end_3; i++) {
+    out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along_both(0.0, (Vector){m.R0.p + i * m.R0.m, m.R0.m}, w, m.start), (Vector){m.R1.p + i * m.R1.m, m.R1.m}, s.nonlinear), (Vector){m.R2.p + i * m.R2.m, m.R2.m}, last);
   }
   return verdict;
 }

@@ -73,12 +73,6 @@ class Sample(NamedTuple):
 
 
 @law
-def states(n: int, width: int) -> int:
-    """Floats of the state."""
-    return 2 + 4 * n + 2 * width
-
-
-@law
 def parts_of(memory: Memory) -> Parts:
     """The parts in their places."""
     n, width = int(memory.count), int(memory.width)
@@ -185,21 +179,15 @@ def bend(code: float, s: Parts, new: FloatArray, begin: float, h: float, dt: flo
 
 
 @law
-def usable(memory: Memory, row: FloatArray) -> bool:
-    """Whether every number of a row is finite and D1 lies in [0, 1]."""
-    for i in range(len(row)):
-        if not abs(row[i]) < inf:
-            return False
-    weight = row[len(row) - 1]
-    return bool(memory.kind != NONLINEAR or (weight >= 0.0 and weight <= 1.0))
-
-
-@law
 def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
     """Process t and a sample and write the estimate to ``out``; a refused row changes nothing."""
     s = parts_of(memory)
     n, new = len(s.start), row[1:]
-    if not usable(memory, row):
+    for i in range(len(row)):
+        if not abs(row[i]) < inf:
+            return UNUSABLE
+    weight = row[len(row) - 1]
+    if memory.kind == NONLINEAR and not (weight >= 0.0 and weight <= 1.0):
         return UNUSABLE
     started, h = s.clock[0] == 1.0, row[0] - s.clock[1]
     if started and h < 0.0:
@@ -244,7 +232,7 @@ class _Estimator(CompiledStage):
         """The beginning of the memory: sizes, kind of law, nonlinearity, start and gain."""
         self.count, self.outputs = int(self.count), int(self.outputs)
         self.width, wide = self.count, self.outputs * (self.count + 1) + weights
-        self.states = states(self.count, wide)
+        self.states = 2 + 4 * self.count + 2 * wide
         shape = [self.count, self.outputs, wide, kind, KNOWN[f].code, max(1.0, KNOWN[f].high)]
         return np.concatenate([shape, starting(self.count, self.start), gain.ravel()])
 

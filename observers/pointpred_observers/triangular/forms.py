@@ -10,6 +10,8 @@ from itertools import pairwise, product
 from math import inf, isfinite
 from typing import Any
 
+import numpy as np
+
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.numerics.matrices import instance, listed
 from pointpred_observers.plants.polynomials import Free, power_series, shortened, symbolic
@@ -95,11 +97,10 @@ def enclosure(
             f"region needs {', '.join(missing)}, which {expression} depends on", field="region"
         )
     enclosed, count = _enclosing(over, expression), max(1, int(parts ** (1.0 / max(1, len(over)))))
-    sides = []
-    for low, high in (box[one] for one in over):
-        ends = [low + (high - low) * i / count for i in range(count if low < high else 1)]
-        sides.append(list(zip(ends, [*ends[1:], high], strict=True)))
-    found = [enclosed(part) for part in product(*sides)]
+    ends = [
+        np.linspace(low, high, count + 1 if low < high else 2) for low, high in (box[one] for one in over)
+    ]
+    found = [enclosed(part) for part in product(*(pairwise(one.tolist()) for one in ends))]
     least, most = min(low for low, _ in found), max(high for _, high in found)
     if not (isfinite(least) and isfinite(most)):
         raise ParameterError(

@@ -333,7 +333,7 @@ def _first(given: Any, generator: SymbolicGenerator) -> Any:
     if given is None:
         raise ParameterError("give first, the steady state of the first lower row, such as w1", field="first")
     first = parsed(given, "first") if isinstance(given, str) else given
-    foreign = getattr(first, "free_symbols", set()) - set(generator.states)
+    foreign: set[Any] = getattr(first, "free_symbols", set()) - set(generator.states)
     if foreign:
         raise ParameterError(
             f"first may hold the generator's states {', '.join(map(str, generator.states))}, received "
