@@ -112,7 +112,7 @@ def joined(plant: Plant, generator: Generator) -> Persidskii:
         a1 = np.hstack([a1, np.vstack([one.B @ g.L1, g.S1])])
         h = np.vstack([h, np.hstack([np.zeros((len(g.J), n)), g.J])])
     f, r = one.f, one.r
-    names: Any = [NAMED[code] for code in f.codes] * count if f.codes is not None else None
+    names = [NAMED[code] for code in f.codes] * count if f.codes is not None else None
     return Persidskii(
         np.block([[one.A0, one.B @ g.L0], [g.G @ one.C0, g.S0]]),
         a1,

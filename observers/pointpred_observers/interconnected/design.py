@@ -83,19 +83,6 @@ class Interconnection:
         """Whether the generator is a copy of the plant, so that w is x."""
         return np.array_equal(self.pi, np.eye(self.plant.n)) and np.array_equal(self.g.S0, self.plant.A0)
 
-    def units(self, *rates: float) -> Coordinates:
-        """The units in which the error equation is balanced; ``rates`` in 1/s are required of it."""
-        return balanced(
-            self.g.S0,
-            seen=self.output,
-            driven=self.g.S1,
-            shown=self.shown,
-            inner=self.j,
-            slopes=self.slopes,
-            rates=rates,
-            time=self.plant.time,
-        )
-
     def inward(self, units: Coordinates) -> Interconnection:
         """The same blocks in these units."""
         x, y, f, t = units.states, units.outputs, units.values, units.seconds
@@ -467,9 +454,11 @@ def driven(
             again = driven(plant, generator, Pi, gain=m, decay=decay)
             return msgspec.structs.replace(again, gap=np.inf)
 
-    return search(
-        connection.units(decay), posed, audited, lambda found: np.log(max(found.bound.gains)), WORSE
+    seen, shown, slopes = connection.output, connection.shown, connection.slopes
+    units = balanced(
+        g.S0, seen=seen, driven=g.S1, shown=shown, inner=j, slopes=slopes, rates=(decay,), time=plant.time
     )
+    return search(units, posed, audited, lambda found: np.log(max(found.bound.gains)), WORSE)
 
 
 def certified_design(

@@ -23,7 +23,7 @@ from pointpred_observers.plants.generator import Fitted, Generator, fitted, requ
 from pointpred_observers.plants.linear_systems import Plant, as_plant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities, Solution
-from pointpred_observers.proofs.search import Posed, Units, search
+from pointpred_observers.proofs.search import Posed, search
 
 ComplexArray = NDArray[np.complex128]
 
@@ -131,9 +131,7 @@ def sector_bounds(plant: Plant, **values: Any) -> SectorBounds:
     """The constants that slopes of at most b_j imply, Sigma1 = Psi1 = H' diag(b^2) H, or those passed.
 
     Raises ParameterError where slopes are missing, unbounded or negative (Assumption 3.2.5 needs an f that
-    increases), CertificateError where the passed Sigma1 or Psi1 lie below those that the slopes imply; that
-    is sufficient for Assumption 3.2.4 and, with the other constants zero, necessary where the slopes are
-    reached.
+    increases), CertificateError where the passed Sigma1 or Psi1 lie below those that the slopes imply.
 
     >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii(-np.eye(2), [0.0, 1.0], [0.0, 2.0], "tanh")
@@ -150,17 +148,17 @@ def sector_bounds(plant: Plant, **values: Any) -> SectorBounds:
             "domain on which it does"
         )
     least: FloatArray = plant.H.T @ np.diag(slopes[:, 1] ** 2) @ plant.H
-    n, k = plant.n, plant.k
-    shapes = {name: n if name in ("Sigma1", "Psi1") else k for name in SectorBounds.__struct_fields__}
-    if set(values) - set(shapes):
-        raise ParameterError(f"the constants are {', '.join(shapes)}, received {', '.join(values)}")
-    constants = {name: least if name in ("Sigma1", "Psi1") else np.zeros((k, k)) for name in shapes}
-    constants |= {name: matrix(name, one, shapes[name], shapes[name]) for name, one in values.items()}
+    none = np.zeros((plant.k, plant.k))
+    constants = dict.fromkeys(SectorBounds.__struct_fields__, none) | {"Sigma1": least, "Psi1": least}
+    if set(values) - set(constants):
+        raise ParameterError(f"the constants are {', '.join(constants)}, received {', '.join(values)}")
+    constants |= {name: matrix(name, one, *constants[name].shape) for name, one in values.items()}
     for name in ("Sigma1", "Psi1"):
         below = float(np.linalg.eigvalsh(constants[name] - least).min())
         if below < -1e-9 * max(1.0, float(np.abs(least).max(initial=0.0))):
-            reason = f"{name} - H' diag(b^2) H has the eigenvalue {below:.6g}, must be >= 0"
-            raise CertificateError(f"Assumption 3.2.4: {reason}")
+            raise CertificateError(
+                f"Assumption 3.2.4: {name} - H' diag(b^2) H has the eigenvalue {below:.6g}, must be >= 0"
+            )
     return SectorBounds(**constants)
 
 
@@ -181,12 +179,6 @@ class Loop(msgspec.Struct, frozen=True):
             h=inward(self.h, units.arguments, x),
         )
 
-    def measured(self, units: Coordinates) -> Units:
-        """The units of the matrices."""
-        form, t = np.outer(units.states, units.states), units.seconds
-        rates = dict.fromkeys(("gamma1", "gamma2", "Omega", "Omega1", "Omega2", "Upsilon"), t)
-        return {"P": form, "Gamma": form / t, "Xi": t * form, "Lambda": 1.0, **rates}
-
     def inequalities(self) -> MatrixInequalities:
         """Those of the assumption, with the conditions of its theorem."""
         raise NotImplementedError
@@ -199,7 +191,10 @@ class Loop(msgspec.Struct, frozen=True):
         """Matrices that satisfy the inequalities, found in balanced units and audited in the plant's."""
 
         def posed(units: Coordinates) -> Posed:
-            return Posed(self.inward(units).inequalities(), self.measured(units))
+            form, t = np.outer(units.states, units.states), units.seconds
+            rates = dict.fromkeys(("gamma1", "gamma2", "Omega", "Omega1", "Omega2", "Upsilon"), t)
+            measured = {"P": form, "Gamma": form / t, "Xi": t * form, "Lambda": 1.0, **rates}
+            return Posed(self.inward(units).inequalities(), measured)
 
         def audited(values: dict[str, Any], _: float) -> Solution:
             return Solution(values, self.inequalities().check(values, printed=False))
@@ -410,8 +405,7 @@ def certify_tracking(
 ) -> TrackingCertificate:
     """Corollary 3.2.2: the plant follows Pi w under regulator (3.8), locally where slopes hold locally.
 
-    Assumes that x = Pi w is the desired trajectory; checks that it is a solution (Assumption 3.2.1). Nothing
-    is minimised: both problems are solved in balanced units, their matrices audited in the plant's.
+    Assumes that x = Pi w is the desired trajectory; checks that it is a solution (Assumption 3.2.1).
 
     Parameters: ``sector`` the constants of Assumption 3.2.4, by default from the slopes; ``tolerance``
     of the equalities, a share of their own terms, for matrices rounded in print.
@@ -432,8 +426,9 @@ def certify_tracking(
     held = equalities(plant, regulator, Pi)
     for name, part in shares_left(held).items():
         if not part <= tolerance:
-            reason = f"{name} = 0 fails, its residual is {largest(held)[name]:.6g}"
-            raise InfeasibleError(f"Assumption 3.2.1: {reason}")
+            raise InfeasibleError(
+                f"Assumption 3.2.1: {name} = 0 fails, its residual is {largest(held)[name]:.6g}"
+            )
     # With a larger tolerance J is checked to that share of its terms, above.
     g = fitted(regulator, plant, "regulator")
     pi = matrix("Pi", Pi, plant.n, g.q)

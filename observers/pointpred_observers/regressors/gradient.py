@@ -303,11 +303,7 @@ class GradientRegressor(_Estimator):
         super().declare(**values)
         one_of("time", self.time, TIMES)
         if self.normalised and self.time == "continuous":
-            raise ParameterError(
-                "normalised needs time='discrete': no gain of the continuous law is too large",
-                field="normalised",
-                value=self.normalised,
-            )
+            raise ParameterError("normalised needs time='discrete'", field="normalised", value=True)
 
     def settings(self) -> FloatArray:
         """The beginning of the memory."""
@@ -362,12 +358,7 @@ class NonlinearRegressor(_Estimator):
     def declare(self, **values: Any) -> None:
         """Check the values."""
         super().declare(**values)
-        if self.f not in MONOTONE:
-            raise ParameterError(
-                f"f must be one of {', '.join(MONOTONE)}, which do not fall, received {self.f!r}",
-                field="f",
-                value=self.f,
-            )
+        one_of("f", self.f, MONOTONE)
 
     def settings(self) -> FloatArray:
         """The beginning of the memory."""
