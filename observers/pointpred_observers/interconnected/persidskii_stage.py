@@ -352,7 +352,7 @@ class PersidskiiStage(CompiledStage):
         Raises EventError for an interval that is too long, or a skipped index, before anything changes.
         """
         plain, (started, last) = self._plain, self._clock()
-        for first, t in zip(begin.tolist(), rows[:, 0].tolist(), strict=True):
+        for first, t in zip(begin.tolist(), rows[:, 0].tolist(), strict=False):
             if started and not first and t > last:
                 if self.time == "discrete":
                     far = t != last + 1.0
@@ -398,16 +398,17 @@ class PersidskiiStage(CompiledStage):
         return out
 
     def _row(self, t: float, inputs: ArrayLike | None) -> FloatArray:
-        received = f"received t={t!r}, inputs={inputs!r}"
         try:
-            values = np.full(self.inputs, np.nan) if inputs is None else np.ravel(inputs)
-            row = np.concatenate([[t], values]).astype(np.float64)
+            values = np.full(self.inputs, np.nan) if inputs is None else np.asarray(inputs, np.float64)
+            row = np.concatenate([[t], np.ravel(values)]).astype(np.float64)
         except (TypeError, ValueError, OverflowError) as unusable:
-            raise EventError(f"a sample must be numbers, {received}") from unusable
+            raise EventError(f"a sample must be numbers, received t={t!r}, inputs={inputs!r}") from unusable
         if len(row) != 1 + self.inputs:
             raise EventError(f"a sample needs {self.inputs} inputs, received {inputs!r}")
         if row[0] != row[0] or np.isinf(row).any():
-            raise EventError(f"a sample must be finite (NaN only for a missing input), {received}")
+            raise EventError(
+                f"a sample must be finite (NaN only for a missing input), received t={t!r}, inputs={inputs!r}"
+            )
         return row
 
 

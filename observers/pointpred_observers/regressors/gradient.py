@@ -240,30 +240,29 @@ class _Estimator(CompiledStage):
         """The estimate after a sample, ``None`` where it is too steep; raises EventError."""
         memory, n, p = Memory(self._memory), self.count, self.outputs
         started, last = parts_of(memory).clock.tolist()
-        needs = {
-            "regressor": f"be finite and of shape ({p}, {n})",
-            "output": f"be {p} finite numbers",
-            "weight": "lie in [0, 1]",
-        }
+
+        def wrong(name: str, must: str) -> EventError:
+            return EventError(
+                f"{name} must {must}, received {sample[name]!r}", field=name, value=sample[name]
+            )
+
         row = []
         for name, given in sample.items():
-            wrong = EventError(f"{name} must {needs[name]}, received {given!r}", field=name, value=given)
             try:
-                values = np.asarray(given, np.float64)
+                row.append(np.asarray(given, np.float64))
             except (TypeError, ValueError, OverflowError) as unusable:
-                raise wrong from unusable
-            if name == "regressor":
-                fits = values.shape == (p, n) or (p == 1 and values.shape == (n,))
-            else:
-                fits = values.size == (p if name == "output" else 1)
-            within = name != "weight" or ((values >= 0.0) & (values <= 1.0)).all()
-            if not (fits and within and np.isfinite(values).all()):
-                raise wrong
-            row.append(values.ravel())
-        timeless = t is None and "weight" not in sample
+                raise wrong(name, "be numbers") from unusable
+        d, y, *weight = row
+        if not (d.shape == (p, n) or (p == 1 and d.shape == (n,))) or not np.isfinite(d).all():
+            raise wrong("regressor", f"be finite and of shape ({p}, {n})")
+        if y.size != p or not np.isfinite(y).all():
+            raise wrong("output", f"be {p} finite numbers")
+        if weight and (weight[0].size != 1 or not 0.0 <= weight[0].item() <= 1.0):
+            raise wrong("weight", "lie in [0, 1]")
+        timeless = t is None and not weight
         now = last if timeless else moment(t, last if started == 1.0 else None)
         out = np.empty(n)
-        verdict = step(memory, np.concatenate([[now], *row]), out)
+        verdict = step(memory, np.concatenate([[now], *map(np.ravel, row)]), out)
         return None if verdict == TOO_STEEP else out
 
 
