@@ -99,9 +99,9 @@ class Interconnection:
         other.corners = vertices(other.slopes) if self.sloped else {}
         return other
 
-    def weight(self, v: Any) -> FloatArray:
+    def weight(self, p: FloatArray, u: FloatArray) -> FloatArray:
         """F = P S1 - U C1, the weight of f."""
-        block: FloatArray = v.P @ self.g.S1 - v.U @ self.shown
+        block: FloatArray = p @ self.g.S1 - u @ self.shown
         return block
 
     def state(self, problem: MatrixInequalities, **fixed: Any) -> MatrixInequalities:
@@ -114,19 +114,21 @@ class Interconnection:
 
         g, discrete = self.g, self.plant.time == "discrete"
 
-        def lmi(unknowns: Any, d: FloatArray | None = None) -> FloatArray:
-            v = _Completed(unknowns, fixed)
-            inner = v.P @ g.S0 - v.U @ self.output
-            across, disturbed = np.hstack([-v.P @ g.G, -v.U, v.P]), -block_diag(v.Gamma, v.Gamma, v.Xi)
-            if not discrete:
-                upper = symmetric(2.0 * inner) + v.Theta + (2.0 * v.W if self.sloped else 0.0)
-                return np.block([[upper, across], [across.T, disturbed]])
-            onward = np.hstack([inner if d is None else inner + self.weight(v) @ d @ self.j, across])
-            return np.block([[block_diag(v.Theta - v.P, disturbed), onward.T], [onward, -v.P]])
+        def read(v: Any, *names: str) -> list[Any]:
+            return [fixed[name](v) if name in fixed else getattr(v, name) for name in names]
 
-        def sector(unknowns: Any, d: FloatArray) -> FloatArray:
-            v = _Completed(unknowns, fixed)
-            block: FloatArray = v.W - symmetric(self.weight(v) @ d @ self.j)
+        def lmi(v: Any, d: FloatArray | None = None) -> FloatArray:
+            u, theta, gamma, xi = read(v, "U", "Theta", "Gamma", "Xi")
+            inner = v.P @ g.S0 - u @ self.output
+            across, disturbed = np.hstack([-v.P @ g.G, -u, v.P]), -block_diag(gamma, gamma, xi)
+            if not discrete:
+                upper = symmetric(2.0 * inner) + theta + (2.0 * v.W if self.sloped else 0.0)
+                return np.block([[upper, across], [across.T, disturbed]])
+            onward = np.hstack([inner if d is None else inner + self.weight(v.P, u) @ d @ self.j, across])
+            return np.block([[block_diag(theta - v.P, disturbed), onward.T], [onward, -v.P]])
+
+        def sector(v: Any, d: FloatArray) -> FloatArray:
+            block: FloatArray = v.W - symmetric(self.weight(v.P, *read(v, "U")) @ d @ self.j)
             return block
 
         for name, d in self.corners.items():
@@ -137,16 +139,6 @@ class Interconnection:
         if discrete and self.corners:
             return problem
         return problem.below("the LMI", lmi, strict=discrete)
-
-
-class _Completed:
-    """The unknowns of a problem and the functions of them, each computed when it is read."""
-
-    def __init__(self, v: Any, fixed: dict[str, Any]) -> None:
-        self._v, self._fixed = v, fixed
-
-    def __getattr__(self, name: str) -> Any:
-        return self._fixed[name](self._v) if name in self._fixed else getattr(self._v, name)
 
 
 def theorem_3_2_1(plant: Plant, generator: Generator, Pi: Any, *, F: Any = None) -> MatrixInequalities:
@@ -172,7 +164,7 @@ def theorem_3_2_1(plant: Plant, generator: Generator, Pi: Any, *, F: Any = None)
         problem.above(f"{name} > 0", attrgetter(name))
     if F is not None:
         f = matrix("F", F, q, plant.k)
-        problem.equal("P S1 - U C1 - F", lambda v: connection.weight(v) - f)
+        problem.equal("P S1 - U C1 - F", lambda v: connection.weight(v.P, v.U) - f)
     if connection.sloped and plant.time == "continuous":
         problem.symmetric("W", q)
     return connection.state(problem)
@@ -395,12 +387,8 @@ def driven(
     connection = Interconnection(plant, generator, Pi)
     plant = connection.plant
     if plant.time == "discrete" and decay > DECAY_MOST:
-        raise ParameterError(
-            f"decay must be at most {DECAY_MOST:g} in discrete time, received {decay:g}: more leaves less "
-            "of an error than rounding",
-            field="decay",
-            value=decay,
-        )
+        told = f"at most {DECAY_MOST:g} in discrete time, received {decay:g}: more is below rounding"
+        raise ParameterError(f"decay must be {told}", field="decay", value=decay)
     g, j = connection.g, connection.j
     a, c, inner = ("A0", "C0", "H") if connection.copies else ("S0", "C0 Pi", "J")
     for name, d in (connection.corners or {"": np.zeros((plant.k, plant.r))}).items():

@@ -302,11 +302,9 @@ class PersidskiiStage(CompiledStage):
         bridged = self._bridged = parts.bridged(0.0)
         self.step_s = parts.longest(0.0)
         if not parts.discrete and self.gap_s is not None and self.gap_s > bridged:
+            most = f"at most {bridged:g} s, {law.STEPS_MOST:.0e} steps, received {self.gap_s!r}"
             raise ParameterError(
-                f"gap_s must be at most {bridged:g} s, {law.STEPS_MOST:.0e} steps of the stage, "
-                f"received {self.gap_s!r}: give a shorter gap_s",
-                field="gap_s",
-                value=self.gap_s,
+                f"gap_s must be {most}: give a shorter gap_s", field="gap_s", value=self.gap_s
             )
         settings, states = np.zeros(0), 2 + parts.q + 2 * parts.m
         if parts.compiled:
@@ -387,11 +385,8 @@ class PersidskiiStage(CompiledStage):
         if verdict in (law.TOO_LONG, law.SKIPPED):
             raise self._refused(float(row[0]), last)
         if verdict == law.BACKWARDS:
-            raise EventOrderError(
-                f"t must not run backwards: received {float(row[0])!r} after {last!r}",
-                field="t",
-                value=t,
-            )
+            told = f"received {float(row[0])!r} after {last!r}"
+            raise EventOrderError(f"t must not run backwards: {told}", field="t", value=t)
         if not np.isfinite(self._memory).all():
             self._memory[:] = before
             raise DivergenceError(f"the state leaves every bound before t = {t!r}: take a smaller step_s")

@@ -318,11 +318,9 @@ class GradientRegressor(_Estimator):
         if t is None and self.time == "continuous":
             raise EventError("the continuous law needs the time of every sample, received t=None", field="t")
         if (estimate := self._taken(t, regressor=regressor, output=output)) is None:
+            told = f"received regressor {regressor!r}: choose a smaller gain or normalised=True"
             raise EventError(
-                f"the trace of D G D' must lie below 2, received regressor {regressor!r}: choose a smaller "
-                "gain or normalised=True",
-                field="regressor",
-                value=regressor,
+                f"the trace of D G D' must lie below 2, {told}", field="regressor", value=regressor
             )
         return estimate
 
@@ -370,11 +368,9 @@ class NonlinearRegressor(_Estimator):
         the gain is too large; EventOrderError when time runs backwards; the stage is then unchanged.
         """
         if (estimate := self._taken(t, regressor=regressor, output=output, weight=weight)) is None:
+            told = f"received t={t!r}, regressor {regressor!r}"
             raise EventError(
-                f"gain J'J over the gap would need more than {STEPS_MOST} steps, received t={t!r}, "
-                f"regressor {regressor!r}",
-                field="t",
-                value=t,
+                f"gain J'J over the gap would need more than {STEPS_MOST} steps, {told}", field="t", value=t
             )
         return estimate
 
@@ -433,9 +429,7 @@ class Regression(msgspec.Struct, frozen=True):
             )
         running, weight = regressor.fresh(), self.weight
         if isinstance(regressor, NonlinearRegressor) and weight is None:
-            raise ParameterError(
-                "a NonlinearRegressor needs the plant's weight D1, a function of t", field="plant"
-            )
+            raise ParameterError("a NonlinearRegressor needs a weight D1, a function of t", field="plant")
         times = setting.samples(discrete=False)
         pairs = [self.at(float(t)) for t in times]
         theta, rows = np.array([one for one, _ in pairs]), [d for _, d in pairs]

@@ -127,11 +127,11 @@ def certify(
         if fixed is not None:
             inner = inward(fixed, x, y, t)
             problem.equal("U = P L", lambda v: v.U - v.P @ inner)
-        problem.number("size").above(
-            "size - U'U",
-            lambda v: np.block([[v.size * np.eye(len(c)), v.U.T], [v.U, np.eye(len(a))]]),
-            strict=False,
-        )
+
+        def room(v: Any) -> FloatArray:
+            return np.block([[v.size * np.eye(len(c)), v.U.T], [v.U, np.eye(len(a))]])
+
+        problem.number("size").above("size - U'U", room, strict=False)
         form = np.outer(x, x)
         measured = {"P": form, "Q": t * form, "Gamma": t * np.outer(y, y), "U": t * np.outer(x, y)}
         near = _start(a, c, decay * t) if fixed is None else None
@@ -364,15 +364,9 @@ class InterlacedStage:
         self._bridged = STEPS_MOST * step_s
         self._gap = np.inf if gap_s is None else min(positive("gap_s", gap_s), self._bridged)
         self.observer = observer
+        begin, missing = matrix("start", start, q, 1).ravel(), MissingInputs.expected(c, np.zeros((p, 0)), p)
         self._generator = PersidskiiStage(
-            closed,
-            None,
-            None,
-            gain,
-            "sin",
-            start=matrix("start", start, q, 1).ravel(),
-            missing=MissingInputs.expected(c, np.zeros((p, 0)), p),
-            step_s=step_s,
+            closed, None, None, gain, "sin", start=begin, missing=missing, step_s=step_s
         )
         self._last: float | None = None
         self._maps = _numerical(steady)
