@@ -309,12 +309,10 @@ class PersidskiiStage(CompiledStage):
         settings, states = np.zeros(0), 2 + parts.q + 2 * parts.m
         if parts.compiled:
             sizes = [parts.q, parts.k, parts.m, parts.p, parts.discrete, self.step_s, gap, bridged]
-            held = {name: parts.at(name, 0.0) for name in SHAPES}
-            replacing = [held.pop(name) for name in ("V0", "V1", "V2")]
-            own = [parts.start, parts.valued, *replacing, parts.first]
-            settings = np.concatenate(
-                [sizes, parts.f.codes or (), *(np.ravel(one) for one in (*held.values(), *own))]
-            )
+            groups = (("J", "R"), ("N", "L", "K"), ("R0", "R1", "R2"), ("V0", "V1", "V2"))
+            tables = [np.hstack([parts.at(name, 0.0) for name in group]).ravel() for group in groups]
+            own = parts.start, parts.valued, parts.first
+            settings = np.concatenate([sizes, parts.f.codes or (), *tables, *own])
             states = 2 + 5 * (parts.q + parts.m) + parts.k + parts.m
         self.lay_out(settings, states)
 

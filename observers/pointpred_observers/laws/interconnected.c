@@ -10,37 +10,30 @@ static const int64_t interconnected_persidskii_law_TOO_LONG = 3;
 
 /* The matrices and the state in their places. */
 T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ interconnected_persidskii_law_parts_of(interconnected_persidskii_law_Memory * memory) {
-  int64_t q, k, m, p, n_at, l_at, j_at, k_at, r0_at, r1_at, r_at, r2_at, start_at, valued_at, v0_at, v1_at, v2_at, first_at, clock_at, both_at, total_at, stage_at, change_at, step_at, f_at, absent_at;
+  int64_t q, k, m, p, wide, change_at, shown_at, missing_at, start_at, valued_at, first_at, clock_at, both_at, total_at, stage_at, moved_at, step_at, f_at, absent_at;
   interconnected_persidskii_law_Matrices matrices;
   interconnected_persidskii_law_State state;
   q = (int64_t)memory->states;
   k = (int64_t)memory->components;
   m = (int64_t)memory->inputs;
   p = (int64_t)memory->outputs;
-  n_at = k;
-  l_at = n_at + q * q;
-  j_at = l_at + q * k;
-  k_at = j_at + k * q;
-  r0_at = k_at + q * m;
-  r1_at = r0_at + p * q;
-  r_at = r1_at + p * k;
-  r2_at = r_at + k * m;
-  start_at = r2_at + p * m;
+  wide = q + k + m;
+  change_at = k + k * (q + m);
+  shown_at = change_at + q * wide;
+  missing_at = shown_at + p * wide;
+  start_at = missing_at + m * wide;
   valued_at = start_at + q;
-  v0_at = valued_at + m;
-  v1_at = v0_at + m * q;
-  v2_at = v1_at + m * k;
-  first_at = v2_at + m * m;
+  first_at = valued_at + m;
   clock_at = first_at + m;
   both_at = clock_at + 2;
   total_at = both_at + q + m;
   stage_at = total_at + q + m;
-  change_at = stage_at + q + m;
-  step_at = change_at + q + m;
+  moved_at = stage_at + q + m;
+  step_at = moved_at + q + m;
   f_at = step_at + q + m;
   absent_at = f_at + k;
-  matrices = (interconnected_persidskii_law_Matrices){(Vector){(Vector){memory->rest, -1}.p, n_at}, (Table){(Vector){(Vector){memory->rest, -1}.p + n_at, l_at - n_at}.p, q, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + l_at, j_at - l_at}.p, q, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + j_at, k_at - j_at}.p, k, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + k_at, r0_at - k_at}.p, q, m}, (Table){(Vector){(Vector){memory->rest, -1}.p + r0_at, r1_at - r0_at}.p, p, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + r1_at, r_at - r1_at}.p, p, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + r_at, r2_at - r_at}.p, k, m}, (Table){(Vector){(Vector){memory->rest, -1}.p + r2_at, start_at - r2_at}.p, p, m}, (Vector){(Vector){memory->rest, -1}.p + start_at, valued_at - start_at}, (Vector){(Vector){memory->rest, -1}.p + valued_at, v0_at - valued_at}, (Table){(Vector){(Vector){memory->rest, -1}.p + v0_at, v1_at - v0_at}.p, m, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + v1_at, v2_at - v1_at}.p, m, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + v2_at, first_at - v2_at}.p, m, m}, (Vector){(Vector){memory->rest, -1}.p + first_at, clock_at - first_at}};
-  state = (interconnected_persidskii_law_State){(Vector){(Vector){memory->rest, -1}.p + clock_at, both_at - clock_at}, (Vector){(Vector){memory->rest, -1}.p + both_at, total_at - both_at}, (Vector){(Vector){memory->rest, -1}.p + total_at, stage_at - total_at}, (Vector){(Vector){memory->rest, -1}.p + stage_at, change_at - stage_at}, (Vector){(Vector){memory->rest, -1}.p + change_at, step_at - change_at}, (Vector){(Vector){memory->rest, -1}.p + step_at, f_at - step_at}, (Vector){(Vector){memory->rest, -1}.p + f_at, absent_at - f_at}, (Vector){(Vector){memory->rest, -1}.p + absent_at, absent_at + m - absent_at}};
+  matrices = (interconnected_persidskii_law_Matrices){(Vector){(Vector){memory->rest, -1}.p, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + k, change_at - k}.p, k, q + m}, (Table){(Vector){(Vector){memory->rest, -1}.p + change_at, shown_at - change_at}.p, q, wide}, (Table){(Vector){(Vector){memory->rest, -1}.p + shown_at, missing_at - shown_at}.p, p, wide}, (Table){(Vector){(Vector){memory->rest, -1}.p + missing_at, start_at - missing_at}.p, m, wide}, (Vector){(Vector){memory->rest, -1}.p + start_at, valued_at - start_at}, (Vector){(Vector){memory->rest, -1}.p + valued_at, first_at - valued_at}, (Vector){(Vector){memory->rest, -1}.p + first_at, clock_at - first_at}};
+  state = (interconnected_persidskii_law_State){(Vector){(Vector){memory->rest, -1}.p + clock_at, both_at - clock_at}, (Vector){(Vector){memory->rest, -1}.p + both_at, total_at - both_at}, (Vector){(Vector){memory->rest, -1}.p + total_at, stage_at - total_at}, (Vector){(Vector){memory->rest, -1}.p + stage_at, moved_at - stage_at}, (Vector){(Vector){memory->rest, -1}.p + moved_at, step_at - moved_at}, (Vector){(Vector){memory->rest, -1}.p + step_at, f_at - step_at}, (Vector){(Vector){memory->rest, -1}.p + f_at, absent_at - f_at}, (Vector){(Vector){memory->rest, -1}.p + absent_at, absent_at + m - absent_at}};
   return (T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_){matrices, state};
 }
 
@@ -52,10 +45,22 @@ double interconnected_persidskii_law_along(double total, Vector row, Vector vect
   return total;
 }
 
+/* A row of a matrix times (w, f, inputs). */
+double interconnected_persidskii_law_along_all(Vector row, Vector w, Vector nonlinear, Vector inputs) {
+  int64_t q, k;
+  q = w.n;
+  k = nonlinear.n;
+  return interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){row.p, q}, w), (Vector){row.p + q, q + k - q}, nonlinear), (Vector){row.p + (q + k), row.n - (q + k)}, inputs);
+}
+
 /* f(Jw + R i). */
 void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector to) {
+  int64_t q;
+  Vector row;
+  q = w.n;
   for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
-    to.p[j] = plants_nonlinearity_value(m.codes.p[j], interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.J.p + j * m.J.m, m.J.m}, w), (Vector){m.R.p + j * m.R.m, m.R.m}, inputs));
+    row = (Vector){m.inner.p + j * m.inner.m, m.inner.m};
+    to.p[j] = plants_nonlinearity_value(m.codes.p[j], interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){row.p, q}, w), (Vector){row.p + q, row.n - q}, inputs));
   }
 }
 
@@ -63,28 +68,29 @@ void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m
 void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector to) {
   interconnected_persidskii_law_bend(m, w, inputs, nonlinear);
   for (int64_t i = 0, end_1 = m.start.n; i < end_1; i++) {
-    to.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.N.p + i * m.N.m, m.N.m}, w), (Vector){m.L.p + i * m.L.m, m.L.m}, nonlinear), (Vector){m.K.p + i * m.K.m, m.K.m}, inputs);
+    to.p[i] = interconnected_persidskii_law_along_all((Vector){m.change.p + i * m.change.m, m.change.m}, w, nonlinear, inputs);
   }
 }
 
 /* Write the missing inputs that are values, V0 w + V1 f(Jw + R i), of which R reads V0 w only. */
 void interconnected_persidskii_law_replace(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector absent) {
+  int64_t q, k;
+  Vector row;
+  q = w.n;
+  k = nonlinear.n;
   for (int64_t j = 0; j < inputs.n; j++) {
     if (absent.p[j] == 1.0 && m.valued.p[j] == 1.0) {
-      inputs.p[j] = interconnected_persidskii_law_along(0.0, (Vector){m.V0.p + j * m.V0.m, m.V0.m}, w);
+      row = (Vector){m.missing.p + j * m.missing.m, m.missing.m};
+      inputs.p[j] = interconnected_persidskii_law_along(0.0, (Vector){row.p, q}, w);
     }
   }
   interconnected_persidskii_law_bend(m, w, inputs, nonlinear);
   for (int64_t j = 0; j < inputs.n; j++) {
     if (absent.p[j] == 1.0 && m.valued.p[j] == 1.0) {
-      inputs.p[j] = interconnected_persidskii_law_along(inputs.p[j], (Vector){m.V1.p + j * m.V1.m, m.V1.m}, nonlinear);
+      row = (Vector){m.missing.p + j * m.missing.m, m.missing.m};
+      inputs.p[j] = interconnected_persidskii_law_along(inputs.p[j], (Vector){row.p + q, q + k - q}, nonlinear);
     }
   }
-}
-
-/* V0 w + V1 f + V2 i: the rate of a missing input, in discrete time its next value. */
-double interconnected_persidskii_law_onward(interconnected_persidskii_law_Matrices m, int64_t j, Vector w, Vector inputs, Vector nonlinear) {
-  return interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.V0.p + j * m.V0.m, m.V0.m}, w), (Vector){m.V1.p + j * m.V1.m, m.V1.m}, nonlinear), (Vector){m.V2.p + j * m.V2.m, m.V2.m}, inputs);
 }
 
 /* One step of the classical Runge-Kutta method, of ``h`` s, where ``length`` s are left until ``row``. */
@@ -112,7 +118,7 @@ void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m
       } else if (m.valued.p[j] == 1.0) {
         s.change.p[q + j] = 0.0;
       } else {
-        s.change.p[q + j] = interconnected_persidskii_law_onward(m, j, w, given, s.nonlinear);
+        s.change.p[q + j] = interconnected_persidskii_law_along_all((Vector){m.missing.p + j * m.missing.m, m.missing.m}, w, s.nonlinear, given);
       }
     }
     weight = part == 0 || part == 3 ? 1.0 : 2.0;
@@ -139,7 +145,7 @@ void interconnected_persidskii_law_move(interconnected_persidskii_law_Memory * m
     last = (Vector){s.both.p + q, s.both.n - q};
     interconnected_persidskii_law_slope(m, w, last, s.nonlinear, s.total);
     for (int64_t j = 0, end_1 = m.first.n; j < end_1; j++) {
-      s.total.p[q + j] = missing ? interconnected_persidskii_law_onward(m, j, w, last, s.nonlinear) : 0.0;
+      s.total.p[q + j] = missing ? interconnected_persidskii_law_along_all((Vector){m.missing.p + j * m.missing.m, m.missing.m}, w, s.nonlinear, last) : 0.0;
     }
     for (int64_t i = 0, end_2 = s.both.n; i < end_2; i++) {
       s.both.p[i] = s.total.p[i];
@@ -235,9 +241,9 @@ double interconnected_persidskii_law_along_both(double total, Vector row, Vector
 int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out) {
   interconnected_persidskii_law_Matrices m;
   interconnected_persidskii_law_State s;
-  int64_t verdict, q;
-  Vector w, last;
-  double argument;
+  int64_t verdict, q, k;
+  Vector w, last, inner, shown;
+  double argument, linear;
   T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ values_1 = interconnected_persidskii_law_parts_of(memory);
   m = values_1.f0;
   s = values_1.f1;
@@ -246,14 +252,18 @@ int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory 
     return verdict;
   }
   q = m.start.n;
+  k = m.codes.n;
   w = (Vector){s.both.p, q};
   last = (Vector){s.both.p + q, s.both.n - q};
-  for (int64_t j = 0, end_2 = m.codes.n; j < end_2; j++) {
-    argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){m.R.p + j * m.R.m, m.R.m}, last), (Vector){m.J.p + j * m.J.m, m.J.m}, w, m.start);
+  for (int64_t j = 0; j < k; j++) {
+    inner = (Vector){m.inner.p + j * m.inner.m, m.inner.m};
+    argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){inner.p + q, inner.n - q}, last), (Vector){inner.p, q}, w, m.start);
     s.nonlinear.p[j] = plants_nonlinearity_value(m.codes.p[j], argument);
   }
-  for (int64_t i = 0, end_3 = m.R0.n; i < end_3; i++) {
-    out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along_both(0.0, (Vector){m.R0.p + i * m.R0.m, m.R0.m}, w, m.start), (Vector){m.R1.p + i * m.R1.m, m.R1.m}, s.nonlinear), (Vector){m.R2.p + i * m.R2.m, m.R2.m}, last);
+  for (int64_t i = 0, end_2 = m.shown.n; i < end_2; i++) {
+    shown = (Vector){m.shown.p + i * m.shown.m, m.shown.m};
+    linear = interconnected_persidskii_law_along_both(0.0, (Vector){shown.p, q}, w, m.start);
+    out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(linear, (Vector){shown.p + q, q + k - q}, s.nonlinear), (Vector){shown.p + (q + k), shown.n - (q + k)}, last);
   }
   return verdict;
 }

@@ -1,5 +1,5 @@
 /* Written by `make laws` from the laws: change those and run it again. */
-#define MOST_ARRAYS 25
+#define MOST_ARRAYS 18
 /* How Python's values become those of a law, and back. */
 #include "abi3.h"
 #include <stdbool.h>
@@ -797,36 +797,22 @@ static PyObject *py_interconnected_persidskii_law_advance(PyObject *self, PyObje
   if (!(counted(law, count, 4)
         && take_memory(&held, args[0], law, "memory", false, 8, &view)
         && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "m", 15)
+        && take_tuple(args[1], law, "m", 8)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "m", 'd', 1, false, &view)
         && (a1.codes = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 1), law, "m", 'd', 2, false, &view)
-        && (a1.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a1.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 2), law, "m", 'd', 2, false, &view)
-        && (a1.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a1.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 3), law, "m", 'd', 2, false, &view)
-        && (a1.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a1.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 4), law, "m", 'd', 2, false, &view)
-        && (a1.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 2, false, &view)
-        && (a1.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 2, false, &view)
-        && (a1.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 2, false, &view)
-        && (a1.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "m", 'd', 2, false, &view)
-        && (a1.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 9), law, "m", 'd', 1, false, &view)
+        && (a1.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 1, false, &view)
         && (a1.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 10), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 1, false, &view)
         && (a1.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 11), law, "m", 'd', 2, false, &view)
-        && (a1.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 12), law, "m", 'd', 2, false, &view)
-        && (a1.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 13), law, "m", 'd', 2, false, &view)
-        && (a1.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 14), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 1, false, &view)
         && (a1.first = (Vector){view->buf, view->shape[0]}, true)
         && take_tuple(args[2], law, "s", 8)
         && take_array(&held, PyTuple_GetItem(args[2], 0), law, "s", 'd', 1, true, &view)
@@ -873,6 +859,31 @@ static PyObject *py_interconnected_persidskii_law_along(PyObject *self, PyObject
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
+static PyObject *py_interconnected_persidskii_law_along_all(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:along_all";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Vector a2;
+  Vector a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "row", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "nonlinear", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "inputs", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_along_all(a0, a1, a2, a3);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
 static PyObject *py_interconnected_persidskii_law_along_both(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:along_both";
   Held held;
@@ -908,36 +919,22 @@ static PyObject *py_interconnected_persidskii_law_bend(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_tuple(args[0], law, "m", 15)
+        && take_tuple(args[0], law, "m", 8)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
         && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 1, false, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 1, false, &view)
         && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 1, false, &view)
         && (a0.first = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -963,36 +960,22 @@ static PyObject *py_interconnected_persidskii_law_flow(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_tuple(args[0], law, "m", 15)
+        && take_tuple(args[0], law, "m", 8)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
         && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 1, false, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 1, false, &view)
         && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 1, false, &view)
         && (a0.first = (Vector){view->buf, view->shape[0]}, true)
         && take_tuple(args[1], law, "s", 8)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
@@ -1071,36 +1054,22 @@ static PyObject *py_interconnected_persidskii_law_move(PyObject *self, PyObject 
   if (!(counted(law, count, 5)
         && take_memory(&held, args[0], law, "memory", false, 8, &view)
         && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "m", 15)
+        && take_tuple(args[1], law, "m", 8)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "m", 'd', 1, false, &view)
         && (a1.codes = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 1), law, "m", 'd', 2, false, &view)
-        && (a1.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a1.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 2), law, "m", 'd', 2, false, &view)
-        && (a1.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a1.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 3), law, "m", 'd', 2, false, &view)
-        && (a1.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a1.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 4), law, "m", 'd', 2, false, &view)
-        && (a1.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 2, false, &view)
-        && (a1.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 2, false, &view)
-        && (a1.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 2, false, &view)
-        && (a1.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "m", 'd', 2, false, &view)
-        && (a1.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 9), law, "m", 'd', 1, false, &view)
+        && (a1.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 1, false, &view)
         && (a1.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 10), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 1, false, &view)
         && (a1.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 11), law, "m", 'd', 2, false, &view)
-        && (a1.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 12), law, "m", 'd', 2, false, &view)
-        && (a1.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 13), law, "m", 'd', 2, false, &view)
-        && (a1.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 14), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 1, false, &view)
         && (a1.first = (Vector){view->buf, view->shape[0]}, true)
         && take_tuple(args[2], law, "s", 8)
         && take_array(&held, PyTuple_GetItem(args[2], 0), law, "s", 'd', 1, true, &view)
@@ -1127,62 +1096,6 @@ static PyObject *py_interconnected_persidskii_law_move(PyObject *self, PyObject 
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_interconnected_persidskii_law_onward(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:onward";
-  Held held;
-  const Py_buffer *view;
-  interconnected_persidskii_law_Matrices a0;
-  int64_t a1;
-  Vector a2;
-  Vector a3;
-  Vector a4;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_tuple(args[0], law, "m", 15)
-        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
-        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
-        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
-        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
-        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "w", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "inputs", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[4], law, "nonlinear", 'd', 1, false, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = interconnected_persidskii_law_onward(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
 static PyObject *py_interconnected_persidskii_law_replace(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:replace";
   Held held;
@@ -1195,36 +1108,22 @@ static PyObject *py_interconnected_persidskii_law_replace(PyObject *self, PyObje
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_tuple(args[0], law, "m", 15)
+        && take_tuple(args[0], law, "m", 8)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
         && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 1, false, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 1, false, &view)
         && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 1, false, &view)
         && (a0.first = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -1251,36 +1150,22 @@ static PyObject *py_interconnected_persidskii_law_slope(PyObject *self, PyObject
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_tuple(args[0], law, "m", 15)
+        && take_tuple(args[0], law, "m", 8)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
         && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 1, false, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 1, false, &view)
         && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 1, false, &view)
         && (a0.first = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -1759,12 +1644,12 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.camera.velocity:step", (PyCFunction)(void (*)(void))py_camera_velocity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:advance", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_advance, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:along", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:along_all", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along_all, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:along_both", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along_both, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:bend", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_bend, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:flow", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:measure", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_measure, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:move", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_move, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:onward", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_onward, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:replace", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_replace, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:slope", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_slope, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
