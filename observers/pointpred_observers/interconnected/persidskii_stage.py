@@ -23,20 +23,14 @@ from pointpred_observers.plants.persidskii import Persidskii, column
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, run, sampled
 
+GROUPS = {"r": ("J", "R"), "q": ("N", "L", "K"), "p": ("R0", "R1", "R2"), "m": ("V0", "V1", "V2")}
+"""The matrices that stand side by side, by their rows: arguments of f, w, outputs, and missing inputs."""
 SHAPES = {
-    "N": "qq",
-    "L": "qk",
-    "J": "rq",
-    "K": "qm",
-    "R0": "pq",
-    "R1": "pk",
-    "R": "rm",
-    "R2": "pm",
-    "V0": "mq",
-    "V1": "mk",
-    "V2": "mm",
+    name: (rows, columns)
+    for rows, names in GROUPS.items()
+    for name, columns in zip(names, "qm" if rows == "r" else "qkm", strict=True)
 }
-"""Of states q, components k and arguments r of f, inputs m and outputs p; the V replace missing inputs."""
+"""Of states q, components k and arguments r of f, inputs m and outputs p."""
 LONGEST_S = 1e-2
 """The longest step by default, s."""
 NEVER = 1e300
@@ -98,7 +92,7 @@ class Realisation:
             missing = MissingInputs.expected(np.zeros((0, q)), np.zeros((0, self.k)), m, time)
         if len(instance("missing", missing, MissingInputs).value) != m:
             raise ParameterError(f"missing needs {m} inputs, received {len(missing.value)}", field="missing")
-        self._given |= {name: getattr(missing, name) for name in ("V0", "V1", "V2")}
+        self._given |= {name: getattr(missing, name) for name in GROUPS["m"]}
         self.valued, self.first = np.array(missing.value, bool), matrix("first", missing.first, 1, m)[0]
         first = {name: self.at(name, 0.0) for name in SHAPES}
         self._constant |= {name: one for name, one in first.items() if not callable(self._given[name])}
@@ -172,7 +166,7 @@ class Realisation:
             if not started or (not self.discrete and now - t > self.gap_s):
                 x, inputs = self.start.copy(), self.first.copy()
             elif self.discrete:
-                onward, x = self._sum("V", t, x, inputs), self._sum("N", t, x, inputs)
+                onward, x = self._sum("m", t, x, inputs), self._sum("q", t, x, inputs)
                 inputs = np.where(missing, onward, inputs)
             elif now - t > self.bridged(t):
                 return law.TOO_LONG
@@ -185,16 +179,15 @@ class Realisation:
             inputs = self._replaced(now, x, inputs, absent == 1.0)
         sample[:] = 1.0, now
         w[:], last[:] = x - self.start, inputs
-        out[:] = self._sum("R", now, x, inputs)
+        out[:] = self._sum("p", now, x, inputs)
         return verdict
 
     def _f(self, t: float, x: FloatArray, inputs: FloatArray) -> FloatArray:
         return self.f(self.at("J", t) @ x + self.at("R", t) @ inputs) if self.k else np.zeros(0)
 
     def _sum(self, what: str, t: float, x: FloatArray, inputs: FloatArray) -> FloatArray:
-        """The change of w ("N"), what missing inputs follow ("V"), or the outputs ("R")."""
-        names = {"N": ("N", "L", "K"), "V": ("V0", "V1", "V2"), "R": ("R0", "R1", "R2")}[what]
-        first, second, third = (self.at(name, t) for name in names)
+        """The change of w, what missing inputs follow, or the outputs; see ``GROUPS``."""
+        first, second, third = (self.at(name, t) for name in GROUPS[what])
         total: FloatArray = first @ x + second @ self._f(t, x, inputs) + third @ inputs
         return total
 
@@ -220,9 +213,9 @@ class Realisation:
             def rate(s: float, v: FloatArray, rise: FloatArray = rise) -> FloatArray:
                 x, inputs = v[:q], self._replaced(s, v[:q], v[q:], missing)
                 if missing.any():
-                    onward = np.where(self.valued, 0.0, self._sum("V", s, x, inputs))
+                    onward = np.where(self.valued, 0.0, self._sum("m", s, x, inputs))
                     rise = np.where(missing, onward, rise)
-                return np.concatenate([self._sum("N", s, x, inputs), rise])
+                return np.concatenate([self._sum("q", s, x, inputs), rise])
 
             k1 = rate(begin, both)
             k2 = rate(begin + 0.5 * h, both + 0.5 * h * k1)
@@ -309,8 +302,7 @@ class PersidskiiStage(CompiledStage):
         settings, states = np.zeros(0), 2 + parts.q + 2 * parts.m
         if parts.compiled:
             sizes = [parts.q, parts.k, parts.m, parts.p, parts.discrete, self.step_s, gap, bridged]
-            groups = (("J", "R"), ("N", "L", "K"), ("R0", "R1", "R2"), ("V0", "V1", "V2"))
-            tables = [np.hstack([parts.at(name, 0.0) for name in group]).ravel() for group in groups]
+            tables = [np.hstack([parts.at(name, 0.0) for name in one]).ravel() for one in GROUPS.values()]
             own = parts.start, parts.valued, parts.first
             settings = np.concatenate([sizes, parts.f.codes or (), *tables, *own])
             states = 2 + 5 * (parts.q + parts.m) + parts.k + parts.m

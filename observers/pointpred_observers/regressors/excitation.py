@@ -163,8 +163,8 @@ def regression_margin(
     values, vectors = np.linalg.eigh(middle)
     rate = gain * np.maximum(values, 0.0) * h[:, None]
     fade = np.einsum("kia,ka,kja->kij", vectors, np.exp(-rate), vectors)
-    twice = np.where(rate > 5e-13, 2.0 * rate, 1.0)
-    share = np.where(rate > 5e-13, -np.expm1(-twice) / twice, 1.0)  # (1 - exp(-x)) / x, 1 at 0
+    twice = 2.0 * np.maximum(rate, 1e-300)
+    share = -np.expm1(-twice) / twice  # (1 - exp(-x)) / x, 1 at 0
     gained = np.einsum("kia,ka,kja->kij", vectors, share * h[:, None], vectors)
     p = np.zeros(squares.shape[1:])
     for _ in range(PASSES_MOST):
