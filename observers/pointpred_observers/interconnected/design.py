@@ -19,9 +19,8 @@ from pointpred_observers.interconnected.persidskii_stage import (
     PersidskiiStage,
     alone,
     like,
-    outputs_of,
+    observed,
     same,
-    walked,
 )
 from pointpred_observers.interconnected.steady_state import equalities, shares_left, steady_state_map
 from pointpred_observers.interconnected.tracking import closed_loop
@@ -295,9 +294,8 @@ class DrivenObserver(Observer, msgspec.Struct, frozen=True):
             return closed_loop(one, moved, t, both, rho=rho(t), d=d(t))
 
         state, driving = np.split(run(field, start, times, one.time == "discrete"), [one.n], axis=1)
-        inputs, outputs = sampled(rho, times), setting.measured(outputs_of(one, times, state))
-        stage = self.stage(start=setting.begin(g.q, "estimate", 0.0))
-        answers = walked(stage, times, outputs, inputs)
+        inputs, stage = sampled(rho, times), self.stage(start=setting.begin(g.q, "estimate", 0.0))
+        outputs, answers = observed(stage, one, times, state, inputs, setting)
         return Simulation.of(
             one, times, state, answers[:, g.q :], outputs, inputs, "observer of a driven plant",
             driving=driving, driving_estimate=answers[:, : g.q],

@@ -437,21 +437,19 @@ def alone(
         return plant.field(t, x, now[: plant.m], now[plant.m :], d(t))
 
     state = run(field, setting.begin(plant.n), times, plant.time == "discrete")
-    inputs, outputs = sampled(both, times), setting.measured(outputs_of(plant, times, state))
-    answers = walked(stage, times, outputs, inputs)
+    inputs = sampled(both, times)
+    outputs, answers = observed(stage, plant, times, state, inputs, setting)
     return Simulation.of(plant, times, state, answers, outputs, inputs, title, bound=bound)
 
 
-def outputs_of(plant: Persidskii, times: FloatArray, state: FloatArray) -> FloatArray:
-    """The outputs without noise, (N, p), of the states at the samples."""
-    return np.array([plant.output(float(t), x) for t, x in zip(times, state, strict=True)])
-
-
-def walked(stage: PersidskiiStage, times: FloatArray, outputs: FloatArray, inputs: FloatArray) -> FloatArray:
-    """The answers of a stage, which receives the samples one by one."""
-    table = np.column_stack([times, outputs, inputs])
+def observed(
+    stage: PersidskiiStage, plant: Persidskii, times: FloatArray, state: Any, inputs: Any, setting: Setting
+) -> tuple[FloatArray, FloatArray]:
+    """The outputs with their noise, (N, p), and the answers of a stage that receives them and the inputs."""
+    exact = np.array([plant.output(float(t), x) for t, x in zip(times, state, strict=True)])
+    outputs = setting.measured(exact)
     try:
-        return stage.walk(np.zeros(len(table), np.bool_), table)
+        return outputs, stage.walk(np.zeros(len(times), bool), np.column_stack([times, outputs, inputs]))
     except EventError as far:
         raise _too_far(times) from far
 
