@@ -9,8 +9,8 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
+from pointpred_observers.interconnected.persidskii_stage import closed
 from pointpred_observers.interconnected.regulator import Regulator
-from pointpred_observers.interconnected.simulation import closed
 from pointpred_observers.interconnected.steady_state import steady_state_map
 from pointpred_observers.numerics.matrices import instance
 from pointpred_observers.observer import Observer
@@ -20,7 +20,7 @@ from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.plants.symbolic import SymbolicSteadyState, SymbolicSystem
 from pointpred_observers.plants.varying import ParameterVaryingSystem
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
-from pointpred_observers.regressors.regressions import Regression
+from pointpred_observers.regressors.gradient import Regression
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver

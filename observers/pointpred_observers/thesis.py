@@ -5,16 +5,17 @@ from pointpred_observers.interconnected.assumptions import (
     assumption_3_2_2,
     remark_3_2_2,
 )
-from pointpred_observers.interconnected.interconnection import theorem_3_2_1
+from pointpred_observers.interconnected.design import theorem_3_2_1
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, regulator_stage
-from pointpred_observers.interconnected.regulated import SectorBounds, sector_bounds
-from pointpred_observers.interconnected.state_feedback import design_state_feedback
+from pointpred_observers.interconnected.regulator import design_state_feedback
 from pointpred_observers.interconnected.steady_state import regulator_equations, residuals
 from pointpred_observers.interconnected.tracking import (
+    SectorBounds,
     assumption_3_2_3,
     assumption_3_2_6,
     certify_tracking,
     closed_loop,
+    sector_bounds,
     theorem_3_2_2,
     theorem_3_2_3,
 )
@@ -27,9 +28,8 @@ from pointpred_observers.reduced_order.reversed_certificate import (
     theorem_3_3_2,
 )
 from pointpred_observers.regressors.excitation import linear_independence, regression_margin
-from pointpred_observers.triangular.attraction import assumption_4_4_2
+from pointpred_observers.triangular.interlaced_observer import assumption_4_4_2, theorem_4_4_1
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
-from pointpred_observers.triangular.interlaced_observer import theorem_4_4_1
 
 __all__ = [
     "MatrixInequalities",

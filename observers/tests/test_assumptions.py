@@ -15,7 +15,7 @@ from pointpred.errors import CertificateError, InfeasibleError
 from pointpred_observers import thesis
 from pointpred_observers.examples import academic
 from pointpred_observers.interconnected.assumptions import joined
-from pointpred_observers.triangular.ranges import enclosure
+from pointpred_observers.triangular.forms import enclosure
 
 sp = pytest.importorskip("sympy")
 W1, W2, U = sp.symbols("w1 w2 u")

@@ -13,8 +13,7 @@ from scipy.integrate import solve_ivp
 from pointpred.errors import EventError, ParameterError
 from pointpred_observers import Generator, Persidskii, invariant_observer
 from pointpred_observers.interconnected.design import DrivenObserver
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.interconnected.realisation import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import MissingInputs, PersidskiiStage
 from pointpred_observers.plants.nonlinearity import nonlinearity
 from pointpred_observers.thesis import regulator_stage
 

@@ -13,8 +13,13 @@ from hypothesis import strategies as st
 from evidence.observers.designs import outcome
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, PointpredError
 from pointpred_observers import Generator, Persidskii, thesis, trajectory
-from pointpred_observers.interconnected.regulated import Followed, Regulated, growing_mode, quadrant
-from pointpred_observers.interconnected.tracking import closed_loop
+from pointpred_observers.interconnected.tracking import (
+    Followed,
+    Regulated,
+    closed_loop,
+    growing_mode,
+    quadrant,
+)
 
 
 def pendulum(seed: int) -> tuple[Persidskii, Generator]:

@@ -16,7 +16,7 @@ from pointpred_observers import SymbolicGenerator, SymbolicSystem, interlaced
 from pointpred_observers.examples import oscillator
 from pointpred_observers.plants.polynomials import composed
 from pointpred_observers.plants.symbolic import SymbolicSteadyState
-from pointpred_observers.triangular.ranges import prove_nonzero
+from pointpred_observers.triangular.forms import prove_nonzero
 
 sp = pytest.importorskip("sympy")
 W1, W2, U, Z, Z1, Z2, K = sp.symbols("w1 w2 u z z1 z2 k")

@@ -14,8 +14,7 @@ from observers.tests import kept_designs as kept
 from pointpred.errors import ParameterError, PointpredError
 from pointpred_observers import thesis
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.interconnected.realisation import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import MissingInputs, PersidskiiStage
 from pointpred_observers.interconnected.regulator import Regulator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
@@ -109,7 +108,13 @@ DOORS: list[partial[Any]] = [
     partial(o.stage, observer=o.design(PLANT, "driven", generator=GENERATOR, Pi=PI, decay=0.0), step_s=0.1),
     partial(o.design, plant=PLANT, kind="full", decay=1.0),
     partial(thesis.regulator_stage, plant=SMALL, regulator=TRACKED, start=[0]),
-    partial(PersidskiiStage, **STAGE, f="tanh", time="continuous", missing=MissingInputs.held(1, 1, 1)),
+    partial(
+        PersidskiiStage,
+        **STAGE,
+        f="tanh",
+        time="continuous",
+        missing=MissingInputs.expected([[0.0]], [[0.0]], 1),
+    ),
     partial(
         o.trajectory, field=lambda t, x: -x, start=[1.0], times=[0.0, 0.1], time="continuous", step_s=0.1
     ),

@@ -27,8 +27,8 @@ NEAR = 1e-6
 class Moments(msgspec.Struct, frozen=True):
     """What Assumption 1.3.1 asks for, as far as the linear parts at 0 decide it.
 
-    ``decay`` of the plant, 1/s (1/step), by its linear part; ``eigenvalues`` of the generator's; ``assumed``
-    says what only a nonlinear part decides, empty for linear systems.
+    ``decay`` of the plant, 1/s (1/step); ``eigenvalues`` of the generator; ``assumed``: what only a nonlinear
+    part decides, empty for linear systems.
     """
 
     decay: float
@@ -43,9 +43,8 @@ def assumption_1_3_1(plant: Plant, generator: Generator) -> Moments:
     every eigenvalue lies on the imaginary axis (the unit circle) and is simple in the minimal polynomial.
     Constant matrices only.
 
-    Raises InfeasibleError naming an eigenvalue of the generator with which a motion grows or decays, one of
-    the plant that does not decay, and a mode that is not reached or not shown; ParameterError for a generator
-    with a G, which (1.7) does not have.
+    Raises InfeasibleError naming an eigenvalue of the generator whose motion grows or decays, one of the
+    plant that does not decay, or a mode that is not reached or not shown; ParameterError for a G.
 
     Reference: Khalin 2022, Assumption 1.3.1, definitions 1.3.10 and 1.3.11.
 
@@ -61,39 +60,36 @@ the eigenvalue -0.5 decays
     g = fitted(generator, one)
     if g.G.any():
         raise ParameterError("the generator of Assumption 1.3.1 has no G: its input is not y", field="G")
-    f = one.f if generator.f is None else generator.f
     driven = bool(g.S1.any() or g.L1.any())
-    inner = _slope(f, g.S1.shape[1], np.zeros((0, g.q)) if g.J is None else g.J) if driven else None
-    s, out = (g.S0, g.L0) if inner is None else (g.S0 + g.S1 @ inner, g.L0 + g.L1 @ inner)
+    s, out = g.S0, g.L0
+    if driven:
+        f = one.f if generator.f is None else generator.f
+        inner = _slope(f, np.zeros((0, g.q)) if g.J is None else g.J)
+        s, out = g.S0 + g.S1 @ inner, g.L0 + g.L1 @ inner
     for value, motion in unsettled(s, one.time):
         if driven and "with t" in motion:  # a nonlinear part may hold a motion that only grows with t
             continue
         raise InfeasibleError(
             f"Assumption 1.3.1: the generator is not neutrally stable, {motion.format(number_text(value))}"
         )
-    slope = _slope(one.f, one.k, one.H)
+    slope = _slope(one.f, one.H) if one.k else np.zeros((0, one.n))
     a, c = one.A0 + one.A1 @ slope, one.C0 + one.C1 @ slope
     slowest = require_decay([("", a)], one.time, "Assumption 1.3.1: the plant")
-    pairs = (
-        (a.T, one.B.T, "is reached by no input"),
-        (a, c, "of the plant never shows"),
-        (s, out, "of the generator never shows"),
-    )
-    for pair, (left, right, what) in enumerate(pairs):
-        modes = hidden(left, right, one.time)
-        # Where f acts, a mode that its linear part hides may be reached or shown all the same.
-        if modes and not (one.A1.any() or one.C1.any() if pair < 2 else driven):
-            raise InfeasibleError(
-                f"Assumption 1.3.1: the mode of the eigenvalue {number_text(modes[0])} {what}"
-            )
+    # Where f acts, a mode that its linear part hides may be reached or shown all the same.
+    bent = bool(one.A1.any() or one.C1.any())
+    for left, right, acting, what in (
+        (a.T, one.B.T, bent, "is reached by no input"),
+        (a, c, bent, "of the plant never shows"),
+        (s, out, driven, "of the generator never shows"),
+    ):
+        for mode in () if acting else hidden(left, right, one.time):
+            raise InfeasibleError(f"Assumption 1.3.1: the mode of the eigenvalue {number_text(mode)} {what}")
     assumed = ("the generator is neutrally stable",) if g.S1.any() else ()
     return Moments(-slowest, tuple(complex(v) for v in np.linalg.eigvals(s)), assumed)
 
 
-def _slope(f: Any, components: int, arguments: FloatArray) -> FloatArray:
+def _slope(f: Any, arguments: FloatArray) -> FloatArray:
     """The derivative of f(J w) at w = 0."""
-    if not components:
-        return np.zeros((0, arguments.shape[1]))
     steps = NEAR * np.eye(arguments.shape[1])
     columns = [(f(arguments @ one) - f(-arguments @ one)) / (2.0 * NEAR) for one in steps]
     return np.array(columns).T
@@ -116,7 +112,7 @@ def joined(plant: Plant, generator: Generator) -> Persidskii:
         a1 = np.hstack([a1, np.vstack([one.B @ g.L1, g.S1])])
         h = np.vstack([h, np.hstack([np.zeros((len(g.J), n)), g.J])])
     f, r = one.f, one.r
-    names: Any = [NAMED[code] for code in f.codes] * count if f.codes is not None else None
+    names = [NAMED[code] for code in f.codes] * count if f.codes is not None else None
     return Persidskii(
         np.block([[one.A0, one.B @ g.L0], [g.G @ one.C0, g.S0]]),
         a1,
@@ -138,12 +134,11 @@ def remark_3_2_2(
     """The observer of Remark 3.2.2: x^ and w^ together, corrected by L_x and L_w, with its certificate.
 
     It is the full-order observer of ``joined``: the first n rows of its ``gain`` are L_x, the others G + L_w.
-    Unlike the observer of Theorem 3.2.1 it needs no x = Pi w and follows x while that is far from Pi w.
+    Unlike the observer of Theorem 3.2.1 it needs no x = Pi w.
 
-    Parameters: ``gains`` (L_x, L_w) to certify, of shapes (n, p) and (q, p), by default computed ones;
-    ``decay`` in 1/s (1/step), demanded of both errors. L_x = 0, L_w = 0 is enough only where the generator's
-    own motions approach each other: those of an oscillator do not.
-    Raises as designs of full order do.
+    Parameters: ``gains`` (L_x, L_w) to certify, of shapes (n, p) and (q, p), by default computed ones; zeros
+    are enough only where the generator's own motions approach each other; ``decay`` in 1/s (1/step), demanded
+    of both errors. Raises as designs of full order do.
 
     >>> plant = Persidskii([[-1.0]], None, None, "sin", [1.0], None, [1.0])
     >>> found = remark_3_2_2(plant, Generator([[0.0, 1.0], [-1.0, 0.0]], L0=[1.0, 0.0]), decay=1.0)
@@ -160,28 +155,19 @@ def remark_3_2_2(
 
 
 def assumption_3_2_2(
-    plant: Plant,
-    generator: Generator | None = None,
-    Pi: Any = None,
-    *,
-    decay: float | None = None,
+    plant: Plant, generator: Generator | None = None, Pi: Any = None, *, decay: float | None = None
 ) -> DecayCertificate:
     """A certificate of incremental input-to-state stability, by a quadratic function of the difference.
 
     Sufficient for Assumption 3.2.2, as far as its consequence, Proposition 3.2.2, uses it: x approaches Pi w
-    up to the disturbances d of the plant, w of the generator and v of the output, by
+    up to the disturbances d of the plant, w of the generator and v of the output. Global if the slopes of f
+    hold globally. A refusal is not a proof of the contrary.
 
     z' = (A0 - Pi G C0) z + (A1 - Pi G C1) (f(Jw + Hz) - f(Jw)) + d - Pi w + Pi G v, (3.14) for Pi = I.
 
-    Global if the slopes of f
-    hold globally. The states of two generators need not approach each other, those of an oscillator never do.
-    A refusal is not a proof of the contrary.
-
     Parameters: ``generator`` and ``Pi`` for a plant whose output is fed back (G != 0); ``decay`` in 1/s
     (1/step), > 0, by default a fraction of the slowest corner's.
-    Raises InfeasibleError naming an eigenvalue of the plant linearised at a corner of the slopes that does
-    not decay; InfeasibleError, UndecidedError, CertificateError from the solver; ParameterError for slopes
-    that are missing or not bounded.
+    Raises what ``certify_decay`` raises; ParameterError for slopes that are missing or not bounded.
 
     Reference: Khalin 2022, Assumption 3.2.2, Proposition 3.2.2; Angeli 2002.
 

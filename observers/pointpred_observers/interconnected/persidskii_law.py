@@ -33,118 +33,78 @@ class Memory(Layout):
 
 
 class Matrices(NamedTuple):
-    """Codes of f (k); N (q, q), L (q, k), J (k, q), K (q, inputs); R0, R1, R and R2 of the outputs.
+    """Codes of f (k), its arguments' (J R), then what acts on (w, f, inputs), by rows.
 
-    Then what replaces missing inputs: whether it is a value (inputs), V0 (inputs, q), V1 (inputs, k), V2
-    (inputs, inputs), and their start.
+    (N L K) of w, (R0 R1 R2) of the outputs, and (V0 V1 V2) of missing inputs; the start of w; whether a
+    missing input is a value, and the start of the inputs.
     """
 
     codes: FloatArray
-    N: FloatTable
-    L: FloatTable
-    J: FloatTable
-    K: FloatTable
-    R0: FloatTable
-    R1: FloatTable
-    R: FloatTable
-    R2: FloatTable
+    inner: FloatTable
+    change: FloatTable
+    shown: FloatTable
+    missing: FloatTable
     start: FloatArray
     valued: FloatArray
-    V0: FloatTable
-    V1: FloatTable
-    V2: FloatTable
     first: FloatArray
 
 
 class State(NamedTuple):
     """Whether there was a sample, and t; w minus its start, then the last inputs; which inputs were missing.
 
-    ``space`` is for a step of the integration.
+    Between them the numbers of a step, each of w and the inputs, and f (k).
     """
 
     clock: FloatArray
     both: FloatArray
-    space: FloatArray
-    absent: FloatArray
-
-
-class Space(NamedTuple):
-    """The numbers of a step: of w (q), or of w and the inputs; f (k); inputs between two samples."""
-
     total: FloatArray
     stage: FloatArray
     change: FloatArray
     first: FloatArray
     nonlinear: FloatArray
-    inputs: FloatArray
-
-
-@law
-def floats(q: int, k: int, inputs: int) -> int:
-    """Number of floats of the state."""
-    return 2 + 5 * (q + inputs) + k + inputs
+    absent: FloatArray
 
 
 @law
 def parts_of(memory: Memory) -> tuple[Matrices, State]:
     """The matrices and the state in their places."""
     q, k, m, p = int(memory.states), int(memory.components), int(memory.inputs), int(memory.outputs)
-    n_at = k
-    l_at = n_at + q * q
-    j_at = l_at + q * k
-    k_at = j_at + k * q
-    r0_at = k_at + q * m
-    r1_at = r0_at + p * q
-    r_at = r1_at + p * k
-    r2_at = r_at + k * m
-    start_at = r2_at + p * m
+    wide = q + k + m
+    change_at = k + k * (q + m)
+    shown_at = change_at + q * wide
+    missing_at = shown_at + p * wide
+    start_at = missing_at + m * wide
     valued_at = start_at + q
-    v0_at = valued_at + m
-    v1_at = v0_at + m * q
-    v2_at = v1_at + m * k
-    first_at = v2_at + m * m
+    first_at = valued_at + m
     clock_at = first_at + m
     both_at = clock_at + 2
-    space_at = both_at + q + m
-    absent_at = space_at + 4 * (q + m) + k
+    total_at = both_at + q + m
+    stage_at = total_at + q + m
+    moved_at = stage_at + q + m
+    step_at = moved_at + q + m
+    f_at = step_at + q + m
+    absent_at = f_at + k
     matrices = Matrices(
-        memory.rest[:n_at],
-        memory.rest[n_at:l_at].reshape(q, q),
-        memory.rest[l_at:j_at].reshape(q, k),
-        memory.rest[j_at:k_at].reshape(k, q),
-        memory.rest[k_at:r0_at].reshape(q, m),
-        memory.rest[r0_at:r1_at].reshape(p, q),
-        memory.rest[r1_at:r_at].reshape(p, k),
-        memory.rest[r_at:r2_at].reshape(k, m),
-        memory.rest[r2_at:start_at].reshape(p, m),
+        memory.rest[:k],
+        memory.rest[k:change_at].reshape(k, q + m),
+        memory.rest[change_at:shown_at].reshape(q, wide),
+        memory.rest[shown_at:missing_at].reshape(p, wide),
+        memory.rest[missing_at:start_at].reshape(m, wide),
         memory.rest[start_at:valued_at],
-        memory.rest[valued_at:v0_at],
-        memory.rest[v0_at:v1_at].reshape(m, q),
-        memory.rest[v1_at:v2_at].reshape(m, k),
-        memory.rest[v2_at:first_at].reshape(m, m),
+        memory.rest[valued_at:first_at],
         memory.rest[first_at:clock_at],
     )
     state = State(
         memory.rest[clock_at:both_at],
-        memory.rest[both_at:space_at],
-        memory.rest[space_at:absent_at],
+        memory.rest[both_at:total_at],
+        memory.rest[total_at:stage_at],
+        memory.rest[stage_at:moved_at],
+        memory.rest[moved_at:step_at],
+        memory.rest[step_at:f_at],
+        memory.rest[f_at:absent_at],
         memory.rest[absent_at : absent_at + m],
     )
     return matrices, state
-
-
-@law
-def space_of(m: Matrices, s: State, size: int) -> Space:
-    """The space for a step of ``size`` states."""
-    inputs_at = 4 * size + len(m.codes)
-    return Space(
-        s.space[:size],
-        s.space[size : 2 * size],
-        s.space[2 * size : 3 * size],
-        s.space[3 * size : 4 * size],
-        s.space[4 * size : inputs_at],
-        s.space[inputs_at : inputs_at + len(m.first)],
-    )
 
 
 @law
@@ -156,10 +116,19 @@ def along(total: float, row: FloatArray, vector: FloatArray) -> float:
 
 
 @law
+def along_all(row: FloatArray, w: FloatArray, nonlinear: FloatArray, inputs: FloatArray) -> float:
+    """A row of a matrix times (w, f, inputs)."""
+    q, k = len(w), len(nonlinear)
+    return along(along(along(0.0, row[:q], w), row[q : q + k], nonlinear), row[q + k :], inputs)
+
+
+@law
 def bend(m: Matrices, w: FloatArray, inputs: FloatArray, to: FloatArray) -> None:
     """f(Jw + R i)."""
+    q = len(w)
     for j in range(len(m.codes)):
-        to[j] = nonlinearity.value(m.codes[j], along(along(0.0, m.J[j], w), m.R[j], inputs))
+        row = m.inner[j]
+        to[j] = nonlinearity.value(m.codes[j], along(along(0.0, row[:q], w), row[q:], inputs))
 
 
 @law
@@ -167,7 +136,7 @@ def slope(m: Matrices, w: FloatArray, inputs: FloatArray, nonlinear: FloatArray,
     """N w + L f(Jw + R i) + K i, with f in ``nonlinear``."""
     bend(m, w, inputs, nonlinear)
     for i in range(len(m.start)):
-        to[i] = along(along(along(0.0, m.N[i], w), m.L[i], nonlinear), m.K[i], inputs)
+        to[i] = along_all(m.change[i], w, nonlinear, inputs)
 
 
 @law
@@ -175,19 +144,16 @@ def replace(
     m: Matrices, w: FloatArray, inputs: FloatArray, nonlinear: FloatArray, absent: FloatArray
 ) -> None:
     """Write the missing inputs that are values, V0 w + V1 f(Jw + R i), of which R reads V0 w only."""
+    q, k = len(w), len(nonlinear)
     for j in range(len(inputs)):
         if absent[j] == 1.0 and m.valued[j] == 1.0:
-            inputs[j] = along(0.0, m.V0[j], w)
+            row = m.missing[j]
+            inputs[j] = along(0.0, row[:q], w)
     bend(m, w, inputs, nonlinear)
     for j in range(len(inputs)):
         if absent[j] == 1.0 and m.valued[j] == 1.0:
-            inputs[j] = along(inputs[j], m.V1[j], nonlinear)
-
-
-@law
-def onward(m: Matrices, j: int, w: FloatArray, inputs: FloatArray, nonlinear: FloatArray) -> float:
-    """V0 w + V1 f + V2 i: the rate of a missing input, in discrete time its next value."""
-    return along(along(along(0.0, m.V0[j], w), m.V1[j], nonlinear), m.V2[j], inputs)
+            row = m.missing[j]
+            inputs[j] = along(inputs[j], row[q : q + k], nonlinear)
 
 
 @law
@@ -196,32 +162,30 @@ def flow(m: Matrices, s: State, row: FloatArray, length: float, h: float, missin
 
     The inputs behind w are states, linear up to those of ``row``; missing ones follow what replaces them.
     """
-    q, inputs = len(m.start), len(m.first)
-    size = q + inputs
-    space = space_of(m, s, size)
-    w, given = space.stage[:q], space.stage[q:]
+    q, size = len(m.start), len(s.both)
+    w, given = s.stage[:q], s.stage[q:]
     for i in range(size):
-        space.first[i] = s.both[i]
-        space.stage[i] = s.both[i]
-        space.total[i] = 0.0
+        s.first[i] = s.both[i]
+        s.stage[i] = s.both[i]
+        s.total[i] = 0.0
     for part in range(4):
         if missing:
-            replace(m, w, given, space.nonlinear, s.absent)
-        slope(m, w, given, space.nonlinear, space.change)
-        for j in range(inputs):
+            replace(m, w, given, s.nonlinear, s.absent)
+        slope(m, w, given, s.nonlinear, s.change)
+        for j in range(len(m.first)):
             if s.absent[j] == 0.0:
-                space.change[q + j] = (row[1 + j] - space.first[q + j]) / length
+                s.change[q + j] = (row[1 + j] - s.first[q + j]) / length
             elif m.valued[j] == 1.0:
-                space.change[q + j] = 0.0
+                s.change[q + j] = 0.0
             else:
-                space.change[q + j] = onward(m, j, w, given, space.nonlinear)
+                s.change[q + j] = along_all(m.missing[j], w, s.nonlinear, given)
         weight = 1.0 if part == 0 or part == 3 else 2.0
         ahead = h if part == 2 else 0.5 * h
         for i in range(size):
-            space.total[i] += weight * space.change[i]
-            space.stage[i] = space.first[i] + ahead * space.change[i]
+            s.total[i] += weight * s.change[i]
+            s.stage[i] = s.first[i] + ahead * s.change[i]
     for i in range(size):
-        s.both[i] = space.first[i] + h / 6.0 * space.total[i]
+        s.both[i] = s.first[i] + h / 6.0 * s.total[i]
 
 
 @law
@@ -229,15 +193,13 @@ def move(memory: Memory, m: Matrices, s: State, row: FloatArray, missing: bool) 
     """Carry w, and missing inputs, from the last sample to ``row``."""
     h = row[0] - s.clock[1]
     if memory.discrete == 1.0:
-        q, inputs = len(m.start), len(m.first)
-        w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
-        slope(m, w, last, space.nonlinear, space.total)
-        for j in range(inputs):
-            space.inputs[j] = onward(m, j, w, last, space.nonlinear) if missing else 0.0
-        for i in range(q):
-            w[i] = space.total[i]
-        for j in range(inputs):
-            last[j] = space.inputs[j]
+        q = len(m.start)
+        w, last = s.both[:q], s.both[q:]
+        slope(m, w, last, s.nonlinear, s.total)
+        for j in range(len(m.first)):
+            s.total[q + j] = along_all(m.missing[j], w, s.nonlinear, last) if missing else 0.0
+        for i in range(len(s.both)):
+            s.both[i] = s.total[i]
         return
     count = max(1, ceil(min(h / memory.step_s, STEPS_MOST)))
     for i in range(count):
@@ -287,13 +249,9 @@ def advance(memory: Memory, m: Matrices, s: State, row: FloatArray) -> int:
         for i in range(q):
             w[i] += m.start[i]
         move(memory, m, s, row, missing)
+    measure(s, last, row)
     if missing:
-        measure(s, last, row)
-        space = space_of(m, s, q)
-        replace(m, w, last, space.nonlinear, s.absent)
-    else:
-        for j in range(inputs):
-            last[j] = row[1 + j]
+        replace(m, w, last, s.nonlinear, s.absent)
     for i in range(q):
         w[i] -= m.start[i]
     s.clock[0], s.clock[1] = 1.0, row[0]
@@ -309,24 +267,25 @@ def along_both(total: float, row: FloatArray, one: FloatArray, other: FloatArray
 
 
 @law
-def read(m: Matrices, s: State, out: FloatArray) -> None:
-    """R0 w + R1 f(Jw + R i) + R2 i."""
-    q = len(m.start)
-    w, last, space = s.both[:q], s.both[q:], space_of(m, s, q)
-    for j in range(len(m.codes)):
-        argument = along_both(along(0.0, m.R[j], last), m.J[j], w, m.start)
-        space.nonlinear[j] = nonlinearity.value(m.codes[j], argument)
-    for i in range(len(m.R0)):
-        out[i] = along(along(along_both(0.0, m.R0[i], w, m.start), m.R1[i], space.nonlinear), m.R2[i], last)
-
-
-@law
 def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
-    """Integrate to the sample (t, inputs) and return the outputs; a t that is refused changes nothing."""
+    """Integrate to the sample (t, inputs) and write R0 w + R1 f(Jw + R i) + R2 i to ``out``.
+
+    A t that is refused changes nothing.
+    """
     m, s = parts_of(memory)
     verdict = advance(memory, m, s, row)
-    if verdict < BACKWARDS:
-        read(m, s, out)
+    if verdict >= BACKWARDS:
+        return verdict
+    q, k = len(m.start), len(m.codes)
+    w, last = s.both[:q], s.both[q:]
+    for j in range(k):
+        inner = m.inner[j]
+        argument = along_both(along(0.0, inner[q:], last), inner[:q], w, m.start)
+        s.nonlinear[j] = nonlinearity.value(m.codes[j], argument)
+    for i in range(len(m.shown)):
+        shown = m.shown[i]
+        linear = along_both(0.0, shown[:q], w, m.start)
+        out[i] = along(along(linear, shown[q : q + k], s.nonlinear), shown[q + k :], last)
     return verdict
 
 

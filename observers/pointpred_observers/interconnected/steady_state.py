@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import combinations, islice
 from typing import Any
@@ -26,7 +26,7 @@ from pointpred_observers.numerics.equalities import (
     stacked,
     summed,
 )
-from pointpred_observers.numerics.matrices import instance, matrix, moments, share
+from pointpred_observers.numerics.matrices import instance, listed, matrix, moments, share
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
 from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
@@ -43,9 +43,9 @@ SUBSPACES_MOST = 5000
 class SteadyState(msgspec.Struct, frozen=True):
     """A steady-state map: ``Pi`` (n, q), ``J`` = H Pi, the largest ``residuals`` by equality.
 
-    If Pi is not unique, ``basis`` holds the ``nullity`` directions that keep every equality (to first order
-    for a Riccati equation), shape (nullity, n, q). ``others`` are the further isolated solutions of a Riccati
-    equation; Pi is the one from which the plant's error decays fastest.
+    ``basis`` (nullity, n, q) holds the ``nullity`` directions that keep every equality (to first order for a
+    Riccati equation). ``others`` are the further isolated solutions of a Riccati equation; with Pi the
+    plant's error decays fastest.
     """
 
     Pi: FloatArray
@@ -79,13 +79,7 @@ def equalities(plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = F
     return {name: one for name, one in found.items() if one[0].size}
 
 
-def residuals(
-    plant: Plant,
-    generator: Generator,
-    Pi: Any,
-    *,
-    relaxed: bool = False,
-) -> dict[str, FloatArray]:
+def residuals(plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = False) -> dict[str, FloatArray]:
     """Residual of each equality for a Pi: of (3.3) and J = H Pi, or of Corollary 3.2.1.
 
     >>> from pointpred_observers import Persidskii
@@ -99,7 +93,7 @@ def residuals(
 
 def shares_left(found: Equalities) -> dict[str, float]:
     """The largest share that an entry of each of these ``equalities`` has of its own terms, in any units."""
-    # Rows of the plant's states go through all equalities but that of J: they show together what is rounding.
+    # Rows of the plant's states go through all equalities but that of J, and show together what is rounding.
     states = [name for name in found if name != SHARED]
     wide = row_rounding(np.hstack([found[name][1] for name in states]))
     ends = np.cumsum([found[name][1].shape[1] for name in states])[:-1]
@@ -122,18 +116,17 @@ def steady_state_map(
 ) -> SteadyState:
     """Pi such that x = Pi w is a solution of plant and generator without disturbances.
 
-    Assumes nothing about stability: Pi w need not attract x. For a plant whose matrices vary, Pi is constant
-    and satisfies the equalities at each of ``times``, which are then required. With G C0 = 0 the equalities
-    are linear and solved by least squares; otherwise the first equality is a Riccati equation, whose isolated
-    solutions are found as graphs of invariant subspaces of ((S0, G C0), (B L0, A0)).
+    Assumes nothing about stability: Pi w need not attract x. With G C0 = 0 the equalities are linear and
+    solved by least squares; otherwise the first is a Riccati equation, whose isolated solutions are found as
+    graphs of invariant subspaces of ((S0, G C0), (B L0, A0)).
 
     (A0 - Pi G C0) Pi - Pi S0 + B L0 = 0, A1 + B L1 - Pi (S1 + G C1) = 0, Q = Pi E, J = H Pi;
     ``relaxed``: A1 = Pi G C1 and B L1 = Pi S1 instead of the second, and nothing about J.
 
     Parameters: ``tolerance`` of a residual, (0, 1), relative to its own terms, for matrices rounded in
-    print; ``times`` in s (indices in discrete time). Raises InfeasibleError naming the
-    violated equality and its residual, ParameterError, UndecidedError where a Riccati equation has no
-    isolated solution that satisfies the rest.
+    print; ``times`` in s (indices in discrete time) at which a constant Pi has to satisfy the equalities of
+    a plant that varies. Raises InfeasibleError naming the violated equality and its residual, ParameterError,
+    UndecidedError where a Riccati equation has no isolated solution that satisfies the rest.
 
     Reference: Khalin 2022, Proposition 3.2.1, Corollary 3.2.1; Lancaster and Rodman 1995, chapter 7.
 
@@ -149,7 +142,7 @@ def steady_state_map(
     instance("generator", generator, Generator)
     if generator.f is not None and not relaxed:
         raise ParameterError(
-            "a generator with an f of its own needs relaxed=True, as J = H Pi says nothing then"
+            "a generator with an f of its own needs relaxed=True: J = H Pi says nothing then"
         )
     varying = f"the plant ({', '.join(plant.varying)})" if plant.varying else ""
     plants = [plant.at(t) for t in moments(varying, times, "to hold")]
@@ -168,7 +161,7 @@ def steady_state_map(
     if linear:
         candidates = nearest_solutions(every, count)
     else:
-        started = invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
+        started = _invariant_graphs(plants[0].A0, g.S0, plants[0].B @ g.L0, g.G @ plants[0].C0)
         candidates = [_refined(every, one.ravel()) for one in [*started, np.zeros(shape)]]
     solved = [one for one in candidates if all(part <= tolerance for part in shares_left(left(one)).values())]
     if not solved and linear:
@@ -184,40 +177,31 @@ def steady_state_map(
     for one in (numbers.reshape(shape) for numbers in solved):
         if all(np.abs(one - other).max() > 1e-6 * max(1.0, np.abs(one).max()) for other in distinct):
             distinct.append(one)
-    distinct.sort(key=lambda pi: _abscissa(plants[0].A0 - pi @ g.G @ plants[0].C0, plant.time))
-    pi = distinct[0]
+    size = np.abs if plant.time == "discrete" else np.real
+    distinct.sort(key=lambda pi: size(np.linalg.eigvals(plants[0].A0 - pi @ g.G @ plants[0].C0)).max())
+    pi, *others = distinct
     _, sizes, rows = np.linalg.svd(jacobian(every, np.zeros(count) if linear else pi.ravel()))
     basis = rows[int((sizes > 1e-9 * sizes.max(initial=0.0)).sum()) :].reshape(-1, *shape)
-    return SteadyState(
-        pi, plants[0].H @ pi, largest(left(pi.ravel())), len(basis), basis, tuple(distinct[1:])
-    )
+    return SteadyState(pi, plants[0].H @ pi, largest(left(pi.ravel())), len(basis), basis, tuple(others))
 
 
-def invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArray) -> list[FloatArray]:
+def _invariant_graphs(a0: FloatArray, s0: FloatArray, k: FloatArray, r: FloatArray) -> list[FloatArray]:
     """Every isolated solution if the eigenvalues of ((s0, r), (k, a0)) differ, else some of them.
 
-    A Pi is a solution exactly if the columns of (I; Pi) span an invariant subspace.
+    A Pi is a solution exactly if the columns of (I; Pi) span an invariant subspace. Each complex eigenvalue
+    comes with its conjugate.
     """
-    q = len(s0)
-    whole = np.block([[s0, r], [k, a0]])
-    values, vectors = np.linalg.eig(whole)
-    graphs = []
-    for chosen in _real_choices(values, q):
-        basis = vectors[:, list(chosen)]
-        if np.linalg.cond(basis[:q]) > 1e10:
-            continue
-        pi = basis[q:] @ np.linalg.inv(basis[:q])
-        graphs.append(np.ascontiguousarray(pi.real))
-    return graphs
-
-
-def _real_choices(values: FloatArray, q: int) -> Iterator[tuple[int, ...]]:
-    """Choices of q eigenvalues in which each complex one comes with its conjugate."""
+    q, graphs = len(s0), []
+    values, vectors = np.linalg.eig(np.block([[s0, r], [k, a0]]))
     for chosen in islice(combinations(range(len(values)), q), SUBSPACES_MOST):
         upper = sorted((values[i].real, values[i].imag) for i in chosen if values[i].imag > 0.0)
         lower = sorted((values[i].real, -values[i].imag) for i in chosen if values[i].imag < 0.0)
-        if len(upper) == len(lower) and np.allclose(upper, lower, rtol=1e-9, atol=0.0):
-            yield chosen
+        basis = vectors[:, list(chosen)]
+        if len(upper) != len(lower) or not np.allclose(upper, lower, rtol=1e-9, atol=0.0):
+            continue
+        if np.linalg.cond(basis[:q]) <= 1e10:
+            graphs.append(np.ascontiguousarray((basis[q:] @ np.linalg.inv(basis[:q])).real))
+    return graphs
 
 
 def _refined(residuals: Callable[[FloatArray], FloatArray], start: FloatArray) -> FloatArray:
@@ -227,11 +211,6 @@ def _refined(residuals: Callable[[FloatArray], FloatArray], start: FloatArray) -
     close: Any = {"xtol": EXACT, "ftol": EXACT, "gtol": EXACT}
     found = least_squares(residuals, start, partial(jacobian, residuals), x_scale="jac", **close)
     return np.asarray(found.x, np.float64)
-
-
-def _abscissa(a: FloatArray, time: str) -> float:
-    eigenvalues = np.linalg.eigvals(a)
-    return float(np.abs(eigenvalues).max() if time == "discrete" else eigenvalues.real.max())
 
 
 def _name_first(left: Callable[[FloatArray], Equalities], count: int, tolerance: float) -> None:
@@ -255,8 +234,8 @@ def _name_first(left: Callable[[FloatArray], Equalities], count: int, tolerance:
 class RegulatorEquations(msgspec.Struct, frozen=True):
     """Pi, L0 and L1 such that x = Pi w solves the plant under u = L0 w + L1 f(H Pi w), and R Pi = F.
 
-    ``R`` (any, n) and ``F`` (as many, q) are zero where nothing is to be followed. ``residuals`` by equality;
-    ``nullity``: how many independent directions of (Pi, L0, L1) change no equality.
+    ``R`` and ``F`` are zero where nothing is to be followed. ``residuals`` by equality; ``nullity``: how many
+    independent directions of (Pi, L0, L1) change no equality.
     """
 
     Pi: FloatArray
@@ -278,14 +257,13 @@ def regulator_equations(
     """Solve (3.3) for the input: the map Pi and the gains with which the plant can follow a generator.
 
     A0 Pi + B L0 = Pi S0, A1 + B L1 = Pi S1 and, with ``following`` = (R, F), R Pi = F: the combinations R x
-    of the states follow F w. The solution of least norm where there are several. What makes x approach Pi w
-    is another question: see ``design_regulator``.
+    of the states follow F w. The solution of least norm where there are several.
 
     Assumes a generator without G (its L0 and L1 are not used) and constant matrices.
 
     Parameters: ``following`` R (any, n) and F (as many, q); ``tolerance`` of a residual, (0, 1), relative to
-    its own terms. Raises InfeasibleError naming the equality that cannot hold and, where
-    it is one, the zero of the plant from the input to R x that equals an eigenvalue of S0; ParameterError.
+    its own terms. Raises InfeasibleError naming the equality that cannot hold and, where it is one, the zero
+    of the plant from the input to R x that equals an eigenvalue of S0; ParameterError.
 
     Reference: Khalin 2022, (3.3) with G = 0; Francis and Wonham 1976.
 
@@ -299,11 +277,17 @@ def regulator_equations(
     g = fitted(generator, one)
     require_same_nonlinearity(one, generator)
     if g.G.any():
-        raise ParameterError("the regulator equations need a generator without G, received one with G")
+        raise ParameterError("the regulator equations need a generator without G")
     tolerance = share("tolerance", tolerance)
-    r, f = ([[0.0] * one.n], [[0.0] * g.q]) if following is None else _pair(following)
-    rows = matrix("R", r, None, one.n)
-    problem = _Regulation(one, g.S0, g.S1, rows, matrix("F", f, len(rows), g.q))
+    if following is None:
+        following = [[0.0] * one.n], [[0.0] * g.q]
+    pair = listed("following", following)
+    if len(pair) != 2:
+        raise ParameterError(
+            f"following must be (R, F) with R x to follow F w, received {following!r}", field="following"
+        )
+    rows = matrix("R", pair[0], None, one.n)
+    problem = _Regulation(one, g.S0, g.S1, rows, matrix("F", pair[1], len(rows), g.q))
     nearest = nearest_solutions(lambda numbers: stacked(problem.left(numbers)), problem.count)
     for numbers in nearest:
         if problem.failing(numbers, tolerance) is None:
@@ -312,7 +296,7 @@ def regulator_equations(
     raise InfeasibleError(
         "the regulator equations cannot hold: the least residual leaves "
         f"{largest(problem.left(nearest[0]))[name]:.6g} in {name}"
-        f"{'' if following is None else _zeros(one, g.S0, rows)}"
+        f"{_zeros(one, g.S0, rows) if rows.any() else ''}"
     )
 
 
@@ -326,9 +310,8 @@ def checked_equations(
     q = len(S0)
     rows = matrix("R", R, None, plant.n)
     problem = _Regulation(plant, S0, np.zeros((q, plant.k)), rows, matrix("F", F, len(rows), q))
-    shapes = {"Pi": (plant.n, q), "L0": (plant.m, q), "L1": (plant.m, plant.k)}
-    given = zip(shapes.items(), (Pi, L0, L1), strict=True)
-    numbers = np.concatenate([matrix(name, one, *shape).ravel() for (name, shape), one in given])
+    given = matrix("Pi", Pi, plant.n, q), matrix("L0", L0, plant.m, q), matrix("L1", L1, plant.m, plant.k)
+    numbers = np.concatenate([one.ravel() for one in given])
     name = problem.failing(numbers, TOLERANCE)
     if name is not None:
         raise CertificateError(
@@ -351,14 +334,13 @@ class _Regulation(msgspec.Struct, frozen=True):
     @property
     def count(self) -> int:
         """How many numbers there are."""
-        n, m, k, q = self.plant.n, self.plant.m, self.plant.k, len(self.s0)
-        return int((n + m) * q + m * k)
+        return int((self.plant.n + self.plant.m) * len(self.s0) + self.plant.m * self.plant.k)
 
     def split(self, numbers: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Pi, L0 and L1."""
-        n, m, q, k = self.plant.n, self.plant.m, len(self.s0), self.plant.k
-        pi, l0, l1 = np.split(numbers, [n * q, n * q + m * q])
-        return pi.reshape(n, q), l0.reshape(m, q), l1.reshape(m, k)
+        n, m, q = self.plant.n, self.plant.m, len(self.s0)
+        both, l1 = np.split(numbers, [(n + m) * q])
+        return both[: n * q].reshape(n, q), both[n * q :].reshape(m, q), l1.reshape(m, self.plant.k)
 
     def left(self, numbers: FloatArray) -> Equalities:
         """The equalities at these numbers."""
@@ -379,28 +361,15 @@ class _Regulation(msgspec.Struct, frozen=True):
         """The matrices of these numbers, with what they leave."""
         slope = jacobian(lambda one: stacked(self.left(one)), np.zeros(self.count))
         rank = int(np.linalg.matrix_rank(slope / or_one(np.abs(slope).max(axis=0, initial=0.0))))
-        left = largest(self.left(numbers))
-        return RegulatorEquations(*self.split(numbers), left, self.count - rank, self.rows, self.wanted)
-
-
-def _pair(following: Any) -> tuple[Any, Any]:
-    try:
-        rows, wanted = following
-    except (TypeError, ValueError) as unusable:
-        raise ParameterError(
-            f"following must be (R, F) with R x to follow F w, received {following!r}",
-            field="following",
-            value=following,
-        ) from unusable
-    return rows, wanted
+        (pi, l0, l1), left = self.split(numbers), largest(self.left(numbers))
+        return RegulatorEquations(pi, l0, l1, left, self.count - rank, self.rows, self.wanted)
 
 
 def _zeros(plant: Persidskii, s0: FloatArray, rows: FloatArray) -> str:
     """Names an eigenvalue of S0 at which the plant does not let every R x through."""
     for value in np.linalg.eigvals(s0).astype(np.complex128):
-        pencil = np.block(
-            [[plant.A0 - value * np.eye(plant.n), plant.B], [rows, np.zeros((len(rows), plant.m))]]
-        )
+        left = np.vstack([plant.A0 - value * np.eye(plant.n), rows])
+        pencil = np.hstack([left, np.vstack([plant.B, np.zeros((len(rows), plant.m))])])
         sizes = np.linalg.svd(pencil, compute_uv=False)
         if len(sizes) < len(pencil) or sizes[-1] <= 1e-9 * sizes[0]:
             return (

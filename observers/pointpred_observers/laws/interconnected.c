@@ -8,48 +8,33 @@ static const int64_t interconnected_persidskii_law_SKIPPED = 4;
 static const int64_t interconnected_persidskii_law_STEPS_MOST = INT64_C(100000);
 static const int64_t interconnected_persidskii_law_TOO_LONG = 3;
 
-/* Number of floats of the state. */
-int64_t interconnected_persidskii_law_floats(int64_t q, int64_t k, int64_t inputs) {
-  return 2 + 5 * (q + inputs) + k + inputs;
-}
-
 /* The matrices and the state in their places. */
 T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ interconnected_persidskii_law_parts_of(interconnected_persidskii_law_Memory * memory) {
-  int64_t q, k, m, p, n_at, l_at, j_at, k_at, r0_at, r1_at, r_at, r2_at, start_at, valued_at, v0_at, v1_at, v2_at, first_at, clock_at, both_at, space_at, absent_at;
+  int64_t q, k, m, p, wide, change_at, shown_at, missing_at, start_at, valued_at, first_at, clock_at, both_at, total_at, stage_at, moved_at, step_at, f_at, absent_at;
   interconnected_persidskii_law_Matrices matrices;
   interconnected_persidskii_law_State state;
   q = (int64_t)memory->states;
   k = (int64_t)memory->components;
   m = (int64_t)memory->inputs;
   p = (int64_t)memory->outputs;
-  n_at = k;
-  l_at = n_at + q * q;
-  j_at = l_at + q * k;
-  k_at = j_at + k * q;
-  r0_at = k_at + q * m;
-  r1_at = r0_at + p * q;
-  r_at = r1_at + p * k;
-  r2_at = r_at + k * m;
-  start_at = r2_at + p * m;
+  wide = q + k + m;
+  change_at = k + k * (q + m);
+  shown_at = change_at + q * wide;
+  missing_at = shown_at + p * wide;
+  start_at = missing_at + m * wide;
   valued_at = start_at + q;
-  v0_at = valued_at + m;
-  v1_at = v0_at + m * q;
-  v2_at = v1_at + m * k;
-  first_at = v2_at + m * m;
+  first_at = valued_at + m;
   clock_at = first_at + m;
   both_at = clock_at + 2;
-  space_at = both_at + q + m;
-  absent_at = space_at + 4 * (q + m) + k;
-  matrices = (interconnected_persidskii_law_Matrices){(Vector){(Vector){memory->rest, -1}.p, n_at}, (Table){(Vector){(Vector){memory->rest, -1}.p + n_at, l_at - n_at}.p, q, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + l_at, j_at - l_at}.p, q, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + j_at, k_at - j_at}.p, k, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + k_at, r0_at - k_at}.p, q, m}, (Table){(Vector){(Vector){memory->rest, -1}.p + r0_at, r1_at - r0_at}.p, p, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + r1_at, r_at - r1_at}.p, p, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + r_at, r2_at - r_at}.p, k, m}, (Table){(Vector){(Vector){memory->rest, -1}.p + r2_at, start_at - r2_at}.p, p, m}, (Vector){(Vector){memory->rest, -1}.p + start_at, valued_at - start_at}, (Vector){(Vector){memory->rest, -1}.p + valued_at, v0_at - valued_at}, (Table){(Vector){(Vector){memory->rest, -1}.p + v0_at, v1_at - v0_at}.p, m, q}, (Table){(Vector){(Vector){memory->rest, -1}.p + v1_at, v2_at - v1_at}.p, m, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + v2_at, first_at - v2_at}.p, m, m}, (Vector){(Vector){memory->rest, -1}.p + first_at, clock_at - first_at}};
-  state = (interconnected_persidskii_law_State){(Vector){(Vector){memory->rest, -1}.p + clock_at, both_at - clock_at}, (Vector){(Vector){memory->rest, -1}.p + both_at, space_at - both_at}, (Vector){(Vector){memory->rest, -1}.p + space_at, absent_at - space_at}, (Vector){(Vector){memory->rest, -1}.p + absent_at, absent_at + m - absent_at}};
+  total_at = both_at + q + m;
+  stage_at = total_at + q + m;
+  moved_at = stage_at + q + m;
+  step_at = moved_at + q + m;
+  f_at = step_at + q + m;
+  absent_at = f_at + k;
+  matrices = (interconnected_persidskii_law_Matrices){(Vector){(Vector){memory->rest, -1}.p, k}, (Table){(Vector){(Vector){memory->rest, -1}.p + k, change_at - k}.p, k, q + m}, (Table){(Vector){(Vector){memory->rest, -1}.p + change_at, shown_at - change_at}.p, q, wide}, (Table){(Vector){(Vector){memory->rest, -1}.p + shown_at, missing_at - shown_at}.p, p, wide}, (Table){(Vector){(Vector){memory->rest, -1}.p + missing_at, start_at - missing_at}.p, m, wide}, (Vector){(Vector){memory->rest, -1}.p + start_at, valued_at - start_at}, (Vector){(Vector){memory->rest, -1}.p + valued_at, first_at - valued_at}, (Vector){(Vector){memory->rest, -1}.p + first_at, clock_at - first_at}};
+  state = (interconnected_persidskii_law_State){(Vector){(Vector){memory->rest, -1}.p + clock_at, both_at - clock_at}, (Vector){(Vector){memory->rest, -1}.p + both_at, total_at - both_at}, (Vector){(Vector){memory->rest, -1}.p + total_at, stage_at - total_at}, (Vector){(Vector){memory->rest, -1}.p + stage_at, moved_at - stage_at}, (Vector){(Vector){memory->rest, -1}.p + moved_at, step_at - moved_at}, (Vector){(Vector){memory->rest, -1}.p + step_at, f_at - step_at}, (Vector){(Vector){memory->rest, -1}.p + f_at, absent_at - f_at}, (Vector){(Vector){memory->rest, -1}.p + absent_at, absent_at + m - absent_at}};
   return (T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_){matrices, state};
-}
-
-/* The space for a step of ``size`` states. */
-interconnected_persidskii_law_Space interconnected_persidskii_law_space_of(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, int64_t size) {
-  int64_t inputs_at;
-  inputs_at = 4 * size + m.codes.n;
-  return (interconnected_persidskii_law_Space){(Vector){s.space.p, size}, (Vector){s.space.p + size, 2 * size - size}, (Vector){s.space.p + 2 * size, 3 * size - 2 * size}, (Vector){s.space.p + 3 * size, 4 * size - 3 * size}, (Vector){s.space.p + 4 * size, inputs_at - 4 * size}, (Vector){s.space.p + inputs_at, inputs_at + m.first.n - inputs_at}};
 }
 
 /* A total and a row of a matrix times a vector. */
@@ -60,10 +45,22 @@ double interconnected_persidskii_law_along(double total, Vector row, Vector vect
   return total;
 }
 
+/* A row of a matrix times (w, f, inputs). */
+double interconnected_persidskii_law_along_all(Vector row, Vector w, Vector nonlinear, Vector inputs) {
+  int64_t q, k;
+  q = w.n;
+  k = nonlinear.n;
+  return interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){row.p, q}, w), (Vector){row.p + q, q + k - q}, nonlinear), (Vector){row.p + (q + k), row.n - (q + k)}, inputs);
+}
+
 /* f(Jw + R i). */
 void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector to) {
+  int64_t q;
+  Vector row;
+  q = w.n;
   for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
-    to.p[j] = plants_nonlinearity_value(m.codes.p[j], interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.J.p + j * m.J.m, m.J.m}, w), (Vector){m.R.p + j * m.R.m, m.R.m}, inputs));
+    row = (Vector){m.inner.p + j * m.inner.m, m.inner.m};
+    to.p[j] = plants_nonlinearity_value(m.codes.p[j], interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){row.p, q}, w), (Vector){row.p + q, row.n - q}, inputs));
   }
 }
 
@@ -71,95 +68,87 @@ void interconnected_persidskii_law_bend(interconnected_persidskii_law_Matrices m
 void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector to) {
   interconnected_persidskii_law_bend(m, w, inputs, nonlinear);
   for (int64_t i = 0, end_1 = m.start.n; i < end_1; i++) {
-    to.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.N.p + i * m.N.m, m.N.m}, w), (Vector){m.L.p + i * m.L.m, m.L.m}, nonlinear), (Vector){m.K.p + i * m.K.m, m.K.m}, inputs);
+    to.p[i] = interconnected_persidskii_law_along_all((Vector){m.change.p + i * m.change.m, m.change.m}, w, nonlinear, inputs);
   }
 }
 
 /* Write the missing inputs that are values, V0 w + V1 f(Jw + R i), of which R reads V0 w only. */
 void interconnected_persidskii_law_replace(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector absent) {
+  int64_t q, k;
+  Vector row;
+  q = w.n;
+  k = nonlinear.n;
   for (int64_t j = 0; j < inputs.n; j++) {
     if (absent.p[j] == 1.0 && m.valued.p[j] == 1.0) {
-      inputs.p[j] = interconnected_persidskii_law_along(0.0, (Vector){m.V0.p + j * m.V0.m, m.V0.m}, w);
+      row = (Vector){m.missing.p + j * m.missing.m, m.missing.m};
+      inputs.p[j] = interconnected_persidskii_law_along(0.0, (Vector){row.p, q}, w);
     }
   }
   interconnected_persidskii_law_bend(m, w, inputs, nonlinear);
   for (int64_t j = 0; j < inputs.n; j++) {
     if (absent.p[j] == 1.0 && m.valued.p[j] == 1.0) {
-      inputs.p[j] = interconnected_persidskii_law_along(inputs.p[j], (Vector){m.V1.p + j * m.V1.m, m.V1.m}, nonlinear);
+      row = (Vector){m.missing.p + j * m.missing.m, m.missing.m};
+      inputs.p[j] = interconnected_persidskii_law_along(inputs.p[j], (Vector){row.p + q, q + k - q}, nonlinear);
     }
   }
-}
-
-/* V0 w + V1 f + V2 i: the rate of a missing input, in discrete time its next value. */
-double interconnected_persidskii_law_onward(interconnected_persidskii_law_Matrices m, int64_t j, Vector w, Vector inputs, Vector nonlinear) {
-  return interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along(0.0, (Vector){m.V0.p + j * m.V0.m, m.V0.m}, w), (Vector){m.V1.p + j * m.V1.m, m.V1.m}, nonlinear), (Vector){m.V2.p + j * m.V2.m, m.V2.m}, inputs);
 }
 
 /* One step of the classical Runge-Kutta method, of ``h`` s, where ``length`` s are left until ``row``. */
 void interconnected_persidskii_law_flow(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, double length, double h, bool missing) {
-  int64_t q, inputs, size;
-  interconnected_persidskii_law_Space space;
+  int64_t q, size;
   Vector w, given;
   double weight, ahead;
   q = m.start.n;
-  inputs = m.first.n;
-  size = q + inputs;
-  space = interconnected_persidskii_law_space_of(m, s, size);
-  w = (Vector){space.stage.p, q};
-  given = (Vector){space.stage.p + q, space.stage.n - q};
+  size = s.both.n;
+  w = (Vector){s.stage.p, q};
+  given = (Vector){s.stage.p + q, s.stage.n - q};
   for (int64_t i = 0; i < size; i++) {
-    space.first.p[i] = s.both.p[i];
-    space.stage.p[i] = s.both.p[i];
-    space.total.p[i] = 0.0;
+    s.first.p[i] = s.both.p[i];
+    s.stage.p[i] = s.both.p[i];
+    s.total.p[i] = 0.0;
   }
   for (int64_t part = 0; part < 4; part++) {
     if (missing) {
-      interconnected_persidskii_law_replace(m, w, given, space.nonlinear, s.absent);
+      interconnected_persidskii_law_replace(m, w, given, s.nonlinear, s.absent);
     }
-    interconnected_persidskii_law_slope(m, w, given, space.nonlinear, space.change);
-    for (int64_t j = 0; j < inputs; j++) {
+    interconnected_persidskii_law_slope(m, w, given, s.nonlinear, s.change);
+    for (int64_t j = 0, end_1 = m.first.n; j < end_1; j++) {
       if (s.absent.p[j] == 0.0) {
-        space.change.p[q + j] = (row.p[1 + j] - space.first.p[q + j]) / length;
+        s.change.p[q + j] = (row.p[1 + j] - s.first.p[q + j]) / length;
       } else if (m.valued.p[j] == 1.0) {
-        space.change.p[q + j] = 0.0;
+        s.change.p[q + j] = 0.0;
       } else {
-        space.change.p[q + j] = interconnected_persidskii_law_onward(m, j, w, given, space.nonlinear);
+        s.change.p[q + j] = interconnected_persidskii_law_along_all((Vector){m.missing.p + j * m.missing.m, m.missing.m}, w, s.nonlinear, given);
       }
     }
     weight = part == 0 || part == 3 ? 1.0 : 2.0;
     ahead = part == 2 ? h : 0.5 * h;
     for (int64_t i = 0; i < size; i++) {
-      space.total.p[i] += weight * space.change.p[i];
-      space.stage.p[i] = space.first.p[i] + ahead * space.change.p[i];
+      s.total.p[i] += weight * s.change.p[i];
+      s.stage.p[i] = s.first.p[i] + ahead * s.change.p[i];
     }
   }
   for (int64_t i = 0; i < size; i++) {
-    s.both.p[i] = space.first.p[i] + h / 6.0 * space.total.p[i];
+    s.both.p[i] = s.first.p[i] + h / 6.0 * s.total.p[i];
   }
 }
 
 /* Carry w, and missing inputs, from the last sample to ``row``. */
 void interconnected_persidskii_law_move(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row, bool missing) {
   double h;
-  int64_t q, inputs, count;
+  int64_t q, count;
   Vector w, last;
-  interconnected_persidskii_law_Space space;
   h = row.p[0] - s.clock.p[1];
   if (memory->discrete == 1.0) {
     q = m.start.n;
-    inputs = m.first.n;
     w = (Vector){s.both.p, q};
     last = (Vector){s.both.p + q, s.both.n - q};
-    space = interconnected_persidskii_law_space_of(m, s, q);
-    interconnected_persidskii_law_slope(m, w, last, space.nonlinear, space.total);
-    for (int64_t j = 0; j < inputs; j++) {
-      space.inputs.p[j] = missing ? interconnected_persidskii_law_onward(m, j, w, last, space.nonlinear) : 0.0;
+    interconnected_persidskii_law_slope(m, w, last, s.nonlinear, s.total);
+    for (int64_t j = 0, end_1 = m.first.n; j < end_1; j++) {
+      s.total.p[q + j] = missing ? interconnected_persidskii_law_along_all((Vector){m.missing.p + j * m.missing.m, m.missing.m}, w, s.nonlinear, last) : 0.0;
     }
-    for (int64_t i = 0; i < q; i++) {
-      w.p[i] = space.total.p[i];
-    }
-    for (int64_t j = 0; j < inputs; j++) {
-      last.p[j] = space.inputs.p[j];
+    for (int64_t i = 0, end_2 = s.both.n; i < end_2; i++) {
+      s.both.p[i] = s.total.p[i];
     }
     return;
   }
@@ -185,7 +174,6 @@ int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memo
   Vector w, last;
   bool started, discrete, missing, begin;
   double h;
-  interconnected_persidskii_law_Space space;
   q = m.start.n;
   inputs = m.first.n;
   w = (Vector){s.both.p, q};
@@ -229,14 +217,9 @@ int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memo
     }
     interconnected_persidskii_law_move(memory, m, s, row, missing);
   }
+  interconnected_persidskii_law_measure(s, last, row);
   if (missing) {
-    interconnected_persidskii_law_measure(s, last, row);
-    space = interconnected_persidskii_law_space_of(m, s, q);
-    interconnected_persidskii_law_replace(m, w, last, space.nonlinear, s.absent);
-  } else {
-    for (int64_t j = 0; j < inputs; j++) {
-      last.p[j] = row.p[1 + j];
-    }
+    interconnected_persidskii_law_replace(m, w, last, s.nonlinear, s.absent);
   }
   for (int64_t i = 0; i < q; i++) {
     w.p[i] -= m.start.p[i];
@@ -254,36 +237,33 @@ double interconnected_persidskii_law_along_both(double total, Vector row, Vector
   return total;
 }
 
-/* R0 w + R1 f(Jw + R i) + R2 i. */
-void interconnected_persidskii_law_read(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector out) {
-  int64_t q;
-  Vector w, last;
-  interconnected_persidskii_law_Space space;
-  double argument;
-  q = m.start.n;
-  w = (Vector){s.both.p, q};
-  last = (Vector){s.both.p + q, s.both.n - q};
-  space = interconnected_persidskii_law_space_of(m, s, q);
-  for (int64_t j = 0, end_1 = m.codes.n; j < end_1; j++) {
-    argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){m.R.p + j * m.R.m, m.R.m}, last), (Vector){m.J.p + j * m.J.m, m.J.m}, w, m.start);
-    space.nonlinear.p[j] = plants_nonlinearity_value(m.codes.p[j], argument);
-  }
-  for (int64_t i = 0, end_2 = m.R0.n; i < end_2; i++) {
-    out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(interconnected_persidskii_law_along_both(0.0, (Vector){m.R0.p + i * m.R0.m, m.R0.m}, w, m.start), (Vector){m.R1.p + i * m.R1.m, m.R1.m}, space.nonlinear), (Vector){m.R2.p + i * m.R2.m, m.R2.m}, last);
-  }
-}
-
-/* Integrate to the sample (t, inputs) and return the outputs; a t that is refused changes nothing. */
+/* Integrate to the sample (t, inputs) and write R0 w + R1 f(Jw + R i) + R2 i to ``out``. */
 int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out) {
   interconnected_persidskii_law_Matrices m;
   interconnected_persidskii_law_State s;
-  int64_t verdict;
+  int64_t verdict, q, k;
+  Vector w, last, inner, shown;
+  double argument, linear;
   T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_ values_1 = interconnected_persidskii_law_parts_of(memory);
   m = values_1.f0;
   s = values_1.f1;
   verdict = interconnected_persidskii_law_advance(memory, m, s, row);
-  if (verdict < interconnected_persidskii_law_BACKWARDS) {
-    interconnected_persidskii_law_read(m, s, out);
+  if (verdict >= interconnected_persidskii_law_BACKWARDS) {
+    return verdict;
+  }
+  q = m.start.n;
+  k = m.codes.n;
+  w = (Vector){s.both.p, q};
+  last = (Vector){s.both.p + q, s.both.n - q};
+  for (int64_t j = 0; j < k; j++) {
+    inner = (Vector){m.inner.p + j * m.inner.m, m.inner.m};
+    argument = interconnected_persidskii_law_along_both(interconnected_persidskii_law_along(0.0, (Vector){inner.p + q, inner.n - q}, last), (Vector){inner.p, q}, w, m.start);
+    s.nonlinear.p[j] = plants_nonlinearity_value(m.codes.p[j], argument);
+  }
+  for (int64_t i = 0, end_2 = m.shown.n; i < end_2; i++) {
+    shown = (Vector){m.shown.p + i * m.shown.m, m.shown.m};
+    linear = interconnected_persidskii_law_along_both(0.0, (Vector){shown.p, q}, w, m.start);
+    out.p[i] = interconnected_persidskii_law_along(interconnected_persidskii_law_along(linear, (Vector){shown.p + q, q + k - q}, s.nonlinear), (Vector){shown.p + (q + k), shown.n - (q + k)}, last);
   }
   return verdict;
 }

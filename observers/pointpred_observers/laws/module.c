@@ -1,5 +1,5 @@
 /* Written by `make laws` from the laws: change those and run it again. */
-#define MOST_ARRAYS 21
+#define MOST_ARRAYS 18
 /* How Python's values become those of a law, and back. */
 #include "abi3.h"
 #include <stdbool.h>
@@ -797,45 +797,39 @@ static PyObject *py_interconnected_persidskii_law_advance(PyObject *self, PyObje
   if (!(counted(law, count, 4)
         && take_memory(&held, args[0], law, "memory", false, 8, &view)
         && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "m", 15)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "m", 'd', 1, true, &view)
+        && take_tuple(args[1], law, "m", 8)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "m", 'd', 1, false, &view)
         && (a1.codes = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "m", 'd', 2, true, &view)
-        && (a1.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "m", 'd', 2, true, &view)
-        && (a1.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "m", 'd', 2, true, &view)
-        && (a1.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "m", 'd', 2, true, &view)
-        && (a1.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 2, true, &view)
-        && (a1.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 2, true, &view)
-        && (a1.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 2, true, &view)
-        && (a1.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "m", 'd', 2, true, &view)
-        && (a1.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 9), law, "m", 'd', 1, true, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "m", 'd', 2, false, &view)
+        && (a1.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "m", 'd', 2, false, &view)
+        && (a1.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "m", 'd', 2, false, &view)
+        && (a1.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "m", 'd', 2, false, &view)
+        && (a1.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 1, false, &view)
         && (a1.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 10), law, "m", 'd', 1, true, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 1, false, &view)
         && (a1.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 11), law, "m", 'd', 2, true, &view)
-        && (a1.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 12), law, "m", 'd', 2, true, &view)
-        && (a1.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 13), law, "m", 'd', 2, true, &view)
-        && (a1.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 14), law, "m", 'd', 1, true, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 1, false, &view)
         && (a1.first = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[2], law, "s", 4)
+        && take_tuple(args[2], law, "s", 8)
         && take_array(&held, PyTuple_GetItem(args[2], 0), law, "s", 'd', 1, true, &view)
         && (a2.clock = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[2], 1), law, "s", 'd', 1, true, &view)
         && (a2.both = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[2], 2), law, "s", 'd', 1, true, &view)
-        && (a2.space = (Vector){view->buf, view->shape[0]}, true)
+        && (a2.total = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[2], 3), law, "s", 'd', 1, true, &view)
+        && (a2.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 4), law, "s", 'd', 1, true, &view)
+        && (a2.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 5), law, "s", 'd', 1, true, &view)
+        && (a2.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 6), law, "s", 'd', 1, true, &view)
+        && (a2.nonlinear = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 7), law, "s", 'd', 1, true, &view)
         && (a2.absent = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "row", 'd', 1, false, &view)
         && (a3 = (Vector){view->buf, view->shape[0]}, true)))
@@ -862,6 +856,31 @@ static PyObject *py_interconnected_persidskii_law_along(PyObject *self, PyObject
         && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
   result = interconnected_persidskii_law_along(a0, a1, a2);
+  let_go(&held);
+  return PyFloat_FromDouble(result);
+}
+static PyObject *py_interconnected_persidskii_law_along_all(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.interconnected.persidskii_law:along_all";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  Vector a1;
+  Vector a2;
+  Vector a3;
+  double result;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 4)
+        && take_array(&held, args[0], law, "row", 'd', 1, false, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "nonlinear", 'd', 1, false, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "inputs", 'd', 1, false, &view)
+        && (a3 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  result = interconnected_persidskii_law_along_all(a0, a1, a2, a3);
   let_go(&held);
   return PyFloat_FromDouble(result);
 }
@@ -900,36 +919,22 @@ static PyObject *py_interconnected_persidskii_law_bend(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 4)
-        && take_tuple(args[0], law, "m", 15)
+        && take_tuple(args[0], law, "m", 8)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
         && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 1, false, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 1, false, &view)
         && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 1, false, &view)
         && (a0.first = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -941,25 +946,6 @@ static PyObject *py_interconnected_persidskii_law_bend(PyObject *self, PyObject 
   Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_bend(a0, a1, a2, a3); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_interconnected_persidskii_law_floats(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:floats";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t a2;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)
-        && take_int64_t(args[2], &a2)))
-    return let_go(&held);
-  result = interconnected_persidskii_law_floats(a0, a1, a2);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
 }
 static PyObject *py_interconnected_persidskii_law_flow(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:flow";
@@ -974,45 +960,39 @@ static PyObject *py_interconnected_persidskii_law_flow(PyObject *self, PyObject 
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 6)
-        && take_tuple(args[0], law, "m", 15)
-        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, true, &view)
+        && take_tuple(args[0], law, "m", 8)
+        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
         && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, true, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, true, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, true, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, true, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, true, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, true, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, true, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, true, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, true, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
+        && (a0.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
+        && (a0.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
+        && (a0.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
+        && (a0.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 1, false, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, true, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 1, false, &view)
         && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, true, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, true, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, true, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, true, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 1, false, &view)
         && (a0.first = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "s", 4)
+        && take_tuple(args[1], law, "s", 8)
         && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
         && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
         && (a1.both = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
-        && (a1.space = (Vector){view->buf, view->shape[0]}, true)
+        && (a1.total = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
+        && (a1.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "s", 'd', 1, true, &view)
+        && (a1.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "s", 'd', 1, true, &view)
+        && (a1.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "s", 'd', 1, true, &view)
+        && (a1.nonlinear = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "s", 'd', 1, true, &view)
         && (a1.absent = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[2], law, "row", 'd', 1, false, &view)
         && (a2 = (Vector){view->buf, view->shape[0]}, true)
@@ -1034,14 +1014,22 @@ static PyObject *py_interconnected_persidskii_law_measure(PyObject *self, PyObje
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 3)
-        && take_tuple(args[0], law, "s", 4)
+        && take_tuple(args[0], law, "s", 8)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "s", 'd', 1, true, &view)
         && (a0.clock = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "s", 'd', 1, true, &view)
         && (a0.both = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 2), law, "s", 'd', 1, true, &view)
-        && (a0.space = (Vector){view->buf, view->shape[0]}, true)
+        && (a0.total = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 3), law, "s", 'd', 1, true, &view)
+        && (a0.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "s", 'd', 1, true, &view)
+        && (a0.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "s", 'd', 1, true, &view)
+        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "s", 'd', 1, true, &view)
+        && (a0.nonlinear = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "s", 'd', 1, true, &view)
         && (a0.absent = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[1], law, "last", 'd', 1, true, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -1066,164 +1054,45 @@ static PyObject *py_interconnected_persidskii_law_move(PyObject *self, PyObject 
   if (!(counted(law, count, 5)
         && take_memory(&held, args[0], law, "memory", false, 8, &view)
         && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "m", 15)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "m", 'd', 1, true, &view)
+        && take_tuple(args[1], law, "m", 8)
+        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "m", 'd', 1, false, &view)
         && (a1.codes = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "m", 'd', 2, true, &view)
-        && (a1.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "m", 'd', 2, true, &view)
-        && (a1.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "m", 'd', 2, true, &view)
-        && (a1.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "m", 'd', 2, true, &view)
-        && (a1.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 2, true, &view)
-        && (a1.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 2, true, &view)
-        && (a1.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 2, true, &view)
-        && (a1.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 8), law, "m", 'd', 2, true, &view)
-        && (a1.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 9), law, "m", 'd', 1, true, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "m", 'd', 2, false, &view)
+        && (a1.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "m", 'd', 2, false, &view)
+        && (a1.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "m", 'd', 2, false, &view)
+        && (a1.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 4), law, "m", 'd', 2, false, &view)
+        && (a1.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[1], 5), law, "m", 'd', 1, false, &view)
         && (a1.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 10), law, "m", 'd', 1, true, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 6), law, "m", 'd', 1, false, &view)
         && (a1.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 11), law, "m", 'd', 2, true, &view)
-        && (a1.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 12), law, "m", 'd', 2, true, &view)
-        && (a1.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 13), law, "m", 'd', 2, true, &view)
-        && (a1.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 14), law, "m", 'd', 1, true, &view)
+        && take_array(&held, PyTuple_GetItem(args[1], 7), law, "m", 'd', 1, false, &view)
         && (a1.first = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[2], law, "s", 4)
+        && take_tuple(args[2], law, "s", 8)
         && take_array(&held, PyTuple_GetItem(args[2], 0), law, "s", 'd', 1, true, &view)
         && (a2.clock = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[2], 1), law, "s", 'd', 1, true, &view)
         && (a2.both = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[2], 2), law, "s", 'd', 1, true, &view)
-        && (a2.space = (Vector){view->buf, view->shape[0]}, true)
+        && (a2.total = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[2], 3), law, "s", 'd', 1, true, &view)
+        && (a2.stage = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 4), law, "s", 'd', 1, true, &view)
+        && (a2.change = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 5), law, "s", 'd', 1, true, &view)
+        && (a2.first = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 6), law, "s", 'd', 1, true, &view)
+        && (a2.nonlinear = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, PyTuple_GetItem(args[2], 7), law, "s", 'd', 1, true, &view)
         && (a2.absent = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "row", 'd', 1, false, &view)
         && (a3 = (Vector){view->buf, view->shape[0]}, true)
         && take_bool(args[4], &a4)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_move(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_interconnected_persidskii_law_onward(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:onward";
-  Held held;
-  const Py_buffer *view;
-  interconnected_persidskii_law_Matrices a0;
-  int64_t a1;
-  Vector a2;
-  Vector a3;
-  Vector a4;
-  double result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_tuple(args[0], law, "m", 15)
-        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
-        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
-        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
-        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
-        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "w", 'd', 1, false, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "inputs", 'd', 1, false, &view)
-        && (a3 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[4], law, "nonlinear", 'd', 1, false, &view)
-        && (a4 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = interconnected_persidskii_law_onward(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return PyFloat_FromDouble(result);
-}
-static PyObject *py_interconnected_persidskii_law_read(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.interconnected.persidskii_law:read";
-  Held held;
-  const Py_buffer *view;
-  interconnected_persidskii_law_Matrices a0;
-  interconnected_persidskii_law_State a1;
-  Vector a2;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_tuple(args[0], law, "m", 15)
-        && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, true, &view)
-        && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, true, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, true, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, true, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, true, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, true, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, true, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, true, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, true, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, true, &view)
-        && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, true, &view)
-        && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, true, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, true, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, true, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, true, &view)
-        && (a0.first = (Vector){view->buf, view->shape[0]}, true)
-        && take_tuple(args[1], law, "s", 4)
-        && take_array(&held, PyTuple_GetItem(args[1], 0), law, "s", 'd', 1, true, &view)
-        && (a1.clock = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 1), law, "s", 'd', 1, true, &view)
-        && (a1.both = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 2), law, "s", 'd', 1, true, &view)
-        && (a1.space = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[1], 3), law, "s", 'd', 1, true, &view)
-        && (a1.absent = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS interconnected_persidskii_law_read(a0, a1, a2); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1239,36 +1108,22 @@ static PyObject *py_interconnected_persidskii_law_replace(PyObject *self, PyObje
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_tuple(args[0], law, "m", 15)
+        && take_tuple(args[0], law, "m", 8)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
         && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 1, false, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 1, false, &view)
         && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 1, false, &view)
         && (a0.first = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -1295,36 +1150,22 @@ static PyObject *py_interconnected_persidskii_law_slope(PyObject *self, PyObject
   (void)self, (void)view;
   held.count = 0;
   if (!(counted(law, count, 5)
-        && take_tuple(args[0], law, "m", 15)
+        && take_tuple(args[0], law, "m", 8)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "m", 'd', 1, false, &view)
         && (a0.codes = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 1), law, "m", 'd', 2, false, &view)
-        && (a0.N = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.inner = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 2), law, "m", 'd', 2, false, &view)
-        && (a0.L = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.change = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 3), law, "m", 'd', 2, false, &view)
-        && (a0.J = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && (a0.shown = (Table){view->buf, view->shape[0], view->shape[1]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 4), law, "m", 'd', 2, false, &view)
-        && (a0.K = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 2, false, &view)
-        && (a0.R0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 2, false, &view)
-        && (a0.R1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 2, false, &view)
-        && (a0.R = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 8), law, "m", 'd', 2, false, &view)
-        && (a0.R2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 9), law, "m", 'd', 1, false, &view)
+        && (a0.missing = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, PyTuple_GetItem(args[0], 5), law, "m", 'd', 1, false, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 10), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 6), law, "m", 'd', 1, false, &view)
         && (a0.valued = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 11), law, "m", 'd', 2, false, &view)
-        && (a0.V0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 12), law, "m", 'd', 2, false, &view)
-        && (a0.V1 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 13), law, "m", 'd', 2, false, &view)
-        && (a0.V2 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, PyTuple_GetItem(args[0], 14), law, "m", 'd', 1, false, &view)
+        && take_array(&held, PyTuple_GetItem(args[0], 7), law, "m", 'd', 1, false, &view)
         && (a0.first = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[1], law, "w", 'd', 1, false, &view)
         && (a1 = (Vector){view->buf, view->shape[0]}, true)
@@ -1651,23 +1492,6 @@ static PyObject *py_regressors_gradient_slope(PyObject *self, PyObject *const *a
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_regressors_gradient_states(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.gradient:states";
-  Held held;
-  const Py_buffer *view;
-  int64_t a0;
-  int64_t a1;
-  int64_t result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_int64_t(args[0], &a0)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  result = regressors_gradient_states(a0, a1);
-  let_go(&held);
-  return PyLong_FromLongLong(result);
-}
 static PyObject *py_regressors_gradient_steepness(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.regressors.gradient:steepness";
   Held held;
@@ -1708,25 +1532,6 @@ static PyObject *py_regressors_gradient_step(PyObject *self, PyObject *const *ar
   result = regressors_gradient_step(a0, a1, a2);
   let_go(&held);
   return PyLong_FromLongLong(result);
-}
-static PyObject *py_regressors_gradient_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.regressors.gradient:usable";
-  Held held;
-  const Py_buffer *view;
-  regressors_gradient_Memory * a0;
-  Vector a1;
-  bool result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "memory", false, 6, &view)
-        && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  result = regressors_gradient_usable(a0, a1);
-  let_go(&held);
-  return PyBool_FromLong(result);
 }
 static PyObject *py_unknown_input_stage_estimated(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.unknown_input.stage:estimated";
@@ -1839,14 +1644,12 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.camera.velocity:step", (PyCFunction)(void (*)(void))py_camera_velocity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:advance", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_advance, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:along", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along, METH_FASTCALL, NULL},
+  {"pointpred_observers.interconnected.persidskii_law:along_all", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along_all, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:along_both", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along_both, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:bend", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_bend, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:floats", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_floats, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:flow", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:measure", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_measure, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:move", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_move, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:onward", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_onward, METH_FASTCALL, NULL},
-  {"pointpred_observers.interconnected.persidskii_law:read", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_read, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:replace", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_replace, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:slope", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_slope, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
@@ -1860,10 +1663,8 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.regressors.gradient:flow", (PyCFunction)(void (*)(void))py_regressors_gradient_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:jump", (PyCFunction)(void (*)(void))py_regressors_gradient_jump, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:slope", (PyCFunction)(void (*)(void))py_regressors_gradient_slope, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.gradient:states", (PyCFunction)(void (*)(void))py_regressors_gradient_states, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:steepness", (PyCFunction)(void (*)(void))py_regressors_gradient_steepness, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:step", (PyCFunction)(void (*)(void))py_regressors_gradient_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.regressors.gradient:usable", (PyCFunction)(void (*)(void))py_regressors_gradient_usable, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:estimated", (PyCFunction)(void (*)(void))py_unknown_input_stage_estimated, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:mix", (PyCFunction)(void (*)(void))py_unknown_input_stage_mix, METH_FASTCALL, NULL},
   {"pointpred_observers.unknown_input.stage:push", (PyCFunction)(void (*)(void))py_unknown_input_stage_push, METH_FASTCALL, NULL},

@@ -12,11 +12,6 @@ static const int64_t regressors_gradient_TAKEN = 0;
 static const int64_t regressors_gradient_TOO_STEEP = 2;
 static const int64_t regressors_gradient_UNUSABLE = 3;
 
-/* Floats of the state. */
-int64_t regressors_gradient_states(int64_t n, int64_t width) {
-  return 2 + 4 * n + 2 * width;
-}
-
 /* The parts in their places. */
 regressors_gradient_Parts regressors_gradient_parts_of(regressors_gradient_Memory * memory) {
   int64_t n, width, clock_at, theta_at, last_at, between_at, stage_at;
@@ -39,13 +34,11 @@ regressors_gradient_Sample regressors_gradient_sample_of(Vector numbers, int64_t
 
 /* The trace of D G D': the sum of the decay rates of the errors of the outputs, in 1/s or per sample. */
 WIDE double regressors_gradient_steepness(Table d, Table gain) {
-  int64_t n;
   double total;
-  n = gain.n;
   total = 0.0;
   for (int64_t row = 0; row < d.n; row++) {
-    for (int64_t i = 0; i < n; i++) {
-      for (int64_t j = 0; j < n; j++) {
+    for (int64_t i = 0; i < gain.n; i++) {
+      for (int64_t j = 0; j < gain.n; j++) {
         total += d.p[row * d.m + i] * gain.p[i * gain.m + j] * d.p[row * d.m + j];
       }
     }
@@ -144,29 +137,23 @@ void regressors_gradient_bend(double code, regressors_gradient_Parts s, Vector n
   }
 }
 
-/* Whether every number of a row is finite and D1 lies in [0, 1]. */
-bool regressors_gradient_usable(regressors_gradient_Memory * memory, Vector row) {
-  double weight;
-  for (int64_t i = 0; i < row.n; i++) {
-    if (!(fabs(row.p[i]) < INFINITY)) {
-      return false;
-    }
-  }
-  weight = row.p[row.n - 1];
-  return memory->kind != regressors_gradient_NONLINEAR || (weight >= 0.0 && weight <= 1.0);
-}
-
 /* Process t and a sample and write the estimate to ``out``; a refused row changes nothing. */
 int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out) {
   regressors_gradient_Parts s;
   int64_t n, steps;
   Vector new;
+  double weight, h, steep, fastest, needed;
   bool started;
-  double h, steep, fastest, needed;
   s = regressors_gradient_parts_of(memory);
   n = s.start.n;
   new = (Vector){row.p + 1, row.n - 1};
-  if (!regressors_gradient_usable(memory, row)) {
+  for (int64_t i = 0; i < row.n; i++) {
+    if (!(fabs(row.p[i]) < INFINITY)) {
+      return regressors_gradient_UNUSABLE;
+    }
+  }
+  weight = row.p[row.n - 1];
+  if (memory->kind == regressors_gradient_NONLINEAR && !(weight >= 0.0 && weight <= 1.0)) {
     return regressors_gradient_UNUSABLE;
   }
   started = s.clock.p[0] == 1.0;

@@ -14,8 +14,7 @@ from pointpred.errors import (
     UndecidedError,
 )
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.interconnected.simulation import like, same
+from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, like, same
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward, outward
 from pointpred_observers.numerics.eigenvalues import require_detectable, vertices
 from pointpred_observers.numerics.equalities import NO_DIGIT, TOLERANCE, without_rounding

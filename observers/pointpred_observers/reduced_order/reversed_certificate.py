@@ -11,7 +11,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.interconnection import symmetric
+from pointpred_observers.interconnected.design import symmetric
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import require_decay, vertices
 from pointpred_observers.numerics.matrices import instance, matrix, moments, positive

@@ -10,9 +10,7 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.interconnected.realisation import MissingInputs
-from pointpred_observers.interconnected.simulation import alone, like
+from pointpred_observers.interconnected.persidskii_stage import MissingInputs, PersidskiiStage, alone, like
 from pointpred_observers.numerics.equalities import (
     NO_DIGIT,
     TOLERANCE,

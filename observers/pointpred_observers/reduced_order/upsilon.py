@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.interconnected.interconnection import symmetric
+from pointpred_observers.interconnected.design import symmetric
 from pointpred_observers.numerics.balance import Coordinates, inward
 from pointpred_observers.numerics.equalities import NO_DIGIT, cleared, without_rounding
 from pointpred_observers.numerics.matrices import matrix

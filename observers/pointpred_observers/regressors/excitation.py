@@ -33,15 +33,15 @@ def persistent_excitation(
     """The least excitation of a signal over all windows of a record.
 
     Assumes the signal linear between its samples, in discrete time nothing, and describes the record only:
-    later data may excite less. A level grows with the window; it is in the square of the signal's unit times
-    s, in discrete time without s.
+    later data may excite less. A level is in the square of the signal's unit times s, in discrete time
+    without s.
 
     mu = min over t of the least eigenvalue of the integral over [t, t + T] of phi phi' ds, for windows
     that start at the samples; in discrete time of the sum of l samples.
 
     Parameters: ``t`` s, increasing, ``None`` in discrete time; ``signal`` of shape (samples, n), or
-    (samples, p, n) for a regressor of p outputs, where phi phi' stands for D'D; ``window`` T in s, positive
-    and within the record, in discrete time l, from 1 to the number of samples. Raises ParameterError.
+    (samples, p, n) for a regressor of p outputs, where phi phi' stands for D'D; ``window`` T in s, within
+    the record, in discrete time l, from 1 to the number of samples. Raises ParameterError.
 
     Reference: Khalin 2022, definitions 1.3.12 and 3.3.1.
 
@@ -77,16 +77,13 @@ def persistent_excitation(
 def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, window_s: float) -> float:
     """How far two signals are from linear dependence: 0 if one is a fixed combination of the other.
 
-    Assumes both excited over every window, and describes the record and this window only: the definition
-    needs some window, so a 0 for one window proves nothing.
-
     The regressions of each signal on the other over [t, t + T], (int phi phi')^-1 int phi psi', are
-    compared from window to window; the result is the smaller of the two ranges of their entries,
-    relative to the ratio of the signals' sizes.
+    compared from window to window; the result is the smaller of the two ranges of their entries, relative to
+    the ratio of the signals' sizes. It describes this window only: the definition needs some window, so a 0
+    for one proves nothing.
 
     Parameters: ``t`` s, increasing; ``first`` of shape (samples, n), ``second`` of shape (samples, m);
-    ``window_s`` T, positive and shorter than the record. Returns a number, 0 or more.
-    Raises ParameterError, also if a signal is not excited over a window.
+    ``window_s`` T, within the record. Raises ParameterError, also if a signal is not excited over a window.
 
     Reference: Khalin 2022, definition 1.3.13.
 
@@ -106,14 +103,13 @@ def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, windo
         )
     spreads = []
     for one, other in (pair, pair[::-1]):
-        own, cross, whole = (
-            _windows(times, *two, window)[1] for two in ((one, one), (one, other), (other, other))
-        )
+        products = ((one, one), (one, other), (other, other))
+        own, cross, whole = (_windows(times, *two, window)[1] for two in products)
         values = np.linalg.eigvalsh(own)
         weakest = float((values[:, 0] / values[:, -1]).min()) if values[:, -1].min() > 0.0 else 0.0
         if weakest < 1e-12:
             raise ParameterError(
-                f"both signals must be excited over every window of {window_s:g} s; the least excitation is "
+                f"both signals must be excited over every window of {window_s:g} s, the least excitation is "
                 f"{weakest:.2g} of the largest: choose a longer window"
             )
         ratio = np.linalg.solve(own, cross)
@@ -125,8 +121,7 @@ def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, windo
 class RegressionMargin(msgspec.Struct, frozen=True):
     """The least ``margin`` of Theorem 3.3.3 over the record, the time ``at`` which it occurs, and P there.
 
-    With a positive margin V = e'Pe decreases by at least 2 margin abs(e)^2; otherwise the theorem does not
-    apply.
+    With a positive margin V = e'Pe decreases by at least 2 margin abs(e)^2.
     """
 
     margin: float
@@ -159,22 +154,19 @@ def regression_margin(
     times = _increasing(t)
     j = _samples(regressor, len(times))
     d1 = vector("weight", weight, len(times))
-    if not ((d1 >= 0.0) & (d1 <= 1.0)).all():
-        raise ParameterError(
-            f"weight must lie in [0, 1] in every sample, received {weight!r}", field="weight"
-        )
     gain, flattest = positive("gain", gain), positive("flattest", flattest, zero=True)
-    if flattest > 1.0:
-        raise ParameterError(f"flattest must lie in [0, 1], received {flattest!r}", field="flattest")
+    for name, shares in (("weight", d1), ("flattest", np.array([flattest]))):
+        if not ((shares >= 0.0) & (shares <= 1.0)).all():
+            raise ParameterError(f"{name} must lie in [0, 1], received {shares.tolist()}", field=name)
     squares = np.einsum("kri,krj->kij", j, j)
     middle, h = 0.5 * (squares[:-1] + squares[1:]), np.diff(times)
     values, vectors = np.linalg.eigh(middle)
     rate = gain * np.maximum(values, 0.0) * h[:, None]
     fade = np.einsum("kia,ka,kja->kij", vectors, np.exp(-rate), vectors)
-    twice = np.where(rate > 5e-13, 2.0 * rate, 1.0)
-    share = np.where(rate > 5e-13, -np.expm1(-twice) / twice, 1.0)  # (1 - exp(-x)) / x, 1 at 0
+    twice = 2.0 * np.maximum(rate, 1e-300)
+    share = -np.expm1(-twice) / twice  # (1 - exp(-x)) / x, 1 at 0
     gained = np.einsum("kia,ka,kja->kij", vectors, share * h[:, None], vectors)
-    p, last = np.zeros(squares.shape[1:]), np.inf
+    p = np.zeros(squares.shape[1:])
     for _ in range(PASSES_MOST):
         first, backwards = p, []
         for forget, new in zip(fade[::-1], gained[::-1], strict=True):
@@ -212,18 +204,22 @@ def _samples(signal: ArrayLike, count: int | None = None) -> FloatArray:
             f"a signal must be numbers, received {signal!r:.80}", field="signal"
         ) from unusable
     values = values[:, None, :] if values.ndim == 2 else values
-    if values.ndim != 3 or values.size == 0 or count not in (None, len(values)):
+    if (
+        values.ndim != 3
+        or not values.size
+        or count not in (None, len(values))
+        or not np.isfinite(values).all()
+    ):
         rows = "samples" if count is None else str(count)
         raise ParameterError(
-            f"a signal needs shape ({rows}, n) or ({rows}, p, n), received {values.shape}", field="signal"
+            f"a signal must be finite, of shape ({rows}, n) or ({rows}, p, n), received {values.shape}",
+            field="signal",
         )
-    if not np.isfinite(values).all():
-        raise ParameterError("a signal must be finite in every sample", field="signal")
     return values
 
 
 def _within(times: FloatArray, window: float) -> float:
-    """A window; raises ParameterError for one that is not within the record."""
+    """The window; raises ParameterError for one that is not within the record."""
     length = float(times[-1] - times[0])
     if not is_number(window) or not 0.0 < window <= length:
         raise ParameterError(
@@ -238,24 +234,15 @@ def _windows(
     times: FloatArray, one: FloatArray, other: FloatArray, window: float
 ) -> tuple[FloatArray, FloatArray]:
     """Starts of all windows, and the integral of the product over each, exact for linear pieces."""
-    total = np.zeros((len(times), one.shape[2], other.shape[2]))
-    total[1:] = np.cumsum(_piece(np.diff(times), one[:-1], one[1:], other[:-1], other[1:]), axis=0)
-    starts = times[: np.searchsorted(times, times[-1] - window, side="right")]
-    if len(starts) == 0:  # rounding of a window as long as the record
-        starts = times[:1]
+    from scipy.interpolate import make_interp_spline
+
+    starts = times[: max(1, np.searchsorted(times, times[-1] - window, side="right"))]
     ends = np.minimum(starts + window, times[-1])
-    before = np.clip(np.searchsorted(times, ends, side="right") - 1, 0, len(times) - 2)
-    rest = ends - times[before]
-    share = (rest / (times[before + 1] - times[before]))[:, None, None]
-    one_end = one[before] + share * (one[before + 1] - one[before])
-    other_end = other[before] + share * (other[before + 1] - other[before])
-    tail = _piece(rest, one[before], one_end, other[before], other_end)
-    return starts, total[before] + tail - total[: len(starts)]
-
-
-def _piece(h: FloatArray, a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray) -> FloatArray:
-    """The integral over h of the product of a line from a to b and a line from c to d."""
+    grid = np.union1d(times, ends)
+    a, b = (make_interp_spline(times, signal, k=1)(grid) for signal in (one, other))
+    # The product of two lines is integrated exactly by Simpson's rule.
     outer = "kpi,kpj->kij"
-    ends = np.einsum(outer, a, c) + np.einsum(outer, b, d)
-    mixed = np.einsum(outer, a, d) + np.einsum(outer, b, c)
-    return np.asarray(h[:, None, None] * (2.0 * ends + mixed) / 6.0)
+    knots, middles = np.einsum(outer, a, b), np.einsum(outer, a[:-1] + a[1:], b[:-1] + b[1:])
+    total = np.zeros(knots.shape)
+    total[1:] = np.cumsum(np.diff(grid)[:, None, None] * (knots[:-1] + middles + knots[1:]) / 6.0, axis=0)
+    return starts, total[np.searchsorted(grid, ends)] - total[np.searchsorted(grid, starts)]

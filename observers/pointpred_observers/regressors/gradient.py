@@ -1,13 +1,12 @@
-"""Gradient estimators (3.46), (3.50) and (3.58): regressors as observers of constants.
-
-The parameters are the constant state of a plant; its reversed connection (section 3.3) estimates them.
-"""
+"""Gradient estimators (3.46), (3.50) and (3.58): observers of constants, which are the state of a plant."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import ceil, inf
 from typing import Annotated, Any, Literal, NamedTuple
 
+import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -16,12 +15,14 @@ from pointpred.errors import EventError, ParameterError
 from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
 from pointpred.records import FloatArray, FloatTable
-from pointpred.regression import gradient
+from pointpred.regression import RecursiveLeastSquares, gradient
 from pointpred.regression.least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
-from pointpred_observers.numerics.matrices import TIMES, one_of
+from pointpred_observers.numerics.matrices import TIMES, matrix, one_of
 from pointpred_observers.plants import nonlinearity
 from pointpred_observers.plants.nonlinearity import KNOWN
+from pointpred_observers.simulations.result import Simulation
+from pointpred_observers.simulations.signals import Setting
 
 CONTINUOUS, DISCRETE, NORMALISED, NONLINEAR = 0.0, 1.0, 2.0, 3.0
 """Kinds of law, as stored in the memory."""
@@ -50,7 +51,7 @@ class Memory(Layout):
 class Parts(NamedTuple):
     """Start (n) and gain (n, n); whether there was a sample, and t; theta minus its start; two samples.
 
-    The second sample lies within an interval; then there is space for a step of the integration (n each).
+    The second sample lies within an interval; then the numbers of a step of the integration (n each).
     """
 
     start: FloatArray
@@ -69,12 +70,6 @@ class Sample(NamedTuple):
 
     D: FloatTable
     y: FloatArray
-
-
-@law
-def states(n: int, width: int) -> int:
-    """Floats of the state."""
-    return 2 + 4 * n + 2 * width
 
 
 @law
@@ -109,11 +104,10 @@ def sample_of(numbers: FloatArray, n: int) -> Sample:
 @law
 def steepness(d: FloatTable, gain: FloatTable) -> float:
     """The trace of D G D': the sum of the decay rates of the errors of the outputs, in 1/s or per sample."""
-    n = len(gain)
     total = 0.0
     for row in range(len(d)):
-        for i in range(n):
-            for j in range(n):
+        for i in range(len(gain)):
+            for j in range(len(gain)):
                 total += d[row, i] * gain[i, j] * d[row, j]
     return total
 
@@ -185,21 +179,15 @@ def bend(code: float, s: Parts, new: FloatArray, begin: float, h: float, dt: flo
 
 
 @law
-def usable(memory: Memory, row: FloatArray) -> bool:
-    """Whether every number of a row is finite and D1 lies in [0, 1]."""
-    for i in range(len(row)):
-        if not abs(row[i]) < inf:
-            return False
-    weight = row[len(row) - 1]
-    return bool(memory.kind != NONLINEAR or (weight >= 0.0 and weight <= 1.0))
-
-
-@law
 def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
     """Process t and a sample and write the estimate to ``out``; a refused row changes nothing."""
     s = parts_of(memory)
     n, new = len(s.start), row[1:]
-    if not usable(memory, row):
+    for i in range(len(row)):
+        if not abs(row[i]) < inf:
+            return UNUSABLE
+    weight = row[len(row) - 1]
+    if memory.kind == NONLINEAR and not (weight >= 0.0 and weight <= 1.0):
         return UNUSABLE
     started, h = s.clock[0] == 1.0, row[0] - s.clock[1]
     if started and h < 0.0:
@@ -244,37 +232,37 @@ class _Estimator(CompiledStage):
         """The beginning of the memory: sizes, kind of law, nonlinearity, start and gain."""
         self.count, self.outputs = int(self.count), int(self.outputs)
         self.width, wide = self.count, self.outputs * (self.count + 1) + weights
-        self.states = states(self.count, wide)
+        self.states = 2 + 4 * self.count + 2 * wide
         shape = [self.count, self.outputs, wide, kind, KNOWN[f].code, max(1.0, KNOWN[f].high)]
         return np.concatenate([shape, starting(self.count, self.start), gain.ravel()])
 
-    def _taken(
-        self, regressor: ArrayLike, output: ArrayLike, weights: list[float], t: Any
-    ) -> FloatArray | None:
+    def _taken(self, t: Any, **sample: Any) -> FloatArray | None:
         """The estimate after a sample, ``None`` where it is too steep; raises EventError."""
-        memory = Memory(self._memory)
+        memory, n, p = Memory(self._memory), self.count, self.outputs
         started, last = parts_of(memory).clock.tolist()
-        try:
-            d, y = np.asarray(regressor, np.float64), np.asarray(output, np.float64)
-        except (TypeError, ValueError, OverflowError) as unusable:
-            raise EventError(
-                f"a sample must be numbers, received regressor {regressor!r}, output {output!r}",
-                field="regressor",
-            ) from unusable
-        n, p = self.count, self.outputs
-        if d.shape not in ((p, n), (n,) if p == 1 else ()) or not np.isfinite(d).all():
-            raise EventError(
-                f"regressor must be finite and of shape ({p}, {n}), received {regressor!r}",
-                field="regressor",
-                value=regressor,
+
+        def wrong(name: str, must: str) -> EventError:
+            return EventError(
+                f"{name} must {must}, received {sample[name]!r}", field=name, value=sample[name]
             )
+
+        row = []
+        for name, given in sample.items():
+            try:
+                row.append(np.asarray(given, np.float64))
+            except (TypeError, ValueError, OverflowError) as unusable:
+                raise wrong(name, "be numbers") from unusable
+        d, y, *weight = row
+        if not (d.shape == (p, n) or (p == 1 and d.shape == (n,))) or not np.isfinite(d).all():
+            raise wrong("regressor", f"be finite and of shape ({p}, {n})")
         if y.size != p or not np.isfinite(y).all():
-            raise EventError(
-                f"output must be {p} finite numbers, received {output!r}", field="output", value=output
-            )
-        now = last if t is None and not weights else moment(t, last if started == 1.0 else None)
+            raise wrong("output", f"be {p} finite numbers")
+        if weight and (weight[0].size != 1 or not 0.0 <= weight[0].item() <= 1.0):
+            raise wrong("weight", "lie in [0, 1]")
+        timeless = t is None and not weight
+        now = last if timeless else moment(t, last if started == 1.0 else None)
         out = np.empty(n)
-        verdict = step(memory, np.concatenate([[now], d.ravel(), y.ravel(), weights]), out)
+        verdict = step(memory, np.concatenate([[now], *map(np.ravel, row)]), out)
         return None if verdict == TOO_STEEP else out
 
 
@@ -282,8 +270,7 @@ class GradientRegressor(_Estimator):
     """Gradient estimator of constants x in y = D x, as a differential equation or sample by sample.
 
     Assumes a regressor D that is persistently exciting: nothing is learned in directions that D does not
-    excite, and drifting constants are tracked with a lag. Noise is not averaged. More gain is not always
-    faster: a large one keeps the estimate on the plane of the newest sample, along which it moves slowly.
+    excite, and drifting constants are tracked with a lag. Noise is not averaged.
 
     Continuous (3.46): theta' = G D'(y - D theta), with D and y linear between two samples; of
     second order in the interval, exact in theta for one output, and no gain is too large.
@@ -293,7 +280,6 @@ class GradientRegressor(_Estimator):
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` p, 1 to 32; ``gain`` G, a positive
     number, n of them or a positive definite matrix, in 1/s over the square of the regressor's unit
     (discrete: without 1/s); ``time`` "continuous" or "discrete"; ``start`` the first estimate, default zeros.
-    Memory: 8 + 5 n + n^2 + 2 p (n + 1) floats. Returns the estimate from ``update``.
     Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, (3.41)-(3.46) and (3.53)-(3.58), with G positive definite where the print
@@ -316,11 +302,7 @@ class GradientRegressor(_Estimator):
         super().declare(**values)
         one_of("time", self.time, TIMES)
         if self.normalised and self.time == "continuous":
-            raise ParameterError(
-                "normalised needs time='discrete': no gain of the continuous law is too large",
-                field="normalised",
-                value=self.normalised,
-            )
+            raise ParameterError("normalised needs time='discrete'", field="normalised", value=True)
 
     def settings(self) -> FloatArray:
         """The beginning of the memory."""
@@ -335,12 +317,10 @@ class GradientRegressor(_Estimator):
         """
         if t is None and self.time == "continuous":
             raise EventError("the continuous law needs the time of every sample, received t=None", field="t")
-        if (estimate := self._taken(regressor, output, [], t)) is None:
+        if (estimate := self._taken(t, regressor=regressor, output=output)) is None:
+            told = f"received regressor {regressor!r}: choose a smaller gain or normalised=True"
             raise EventError(
-                "the trace of D G D' must lie below 2, where a step may enlarge the error, received "
-                f"regressor {regressor!r}: choose a smaller gain or normalised=True",
-                field="regressor",
-                value=regressor,
+                f"the trace of D G D' must lie below 2, {told}", field="regressor", value=regressor
             )
         return estimate
 
@@ -349,15 +329,14 @@ class NonlinearRegressor(_Estimator):
     """Estimator of constants x in y = (1 - D1) J x + D1 f(J x), a mean of a linear and a saturating sensor.
 
     Assumes that J is persistently exciting and f nondecreasing; where f is flat and D1 near 1 nothing is
-    learned. Drifting constants are tracked with a lag.
+    learned.
 
     theta' = g J'(y - (1 - D1) J theta - D1 f(J theta)), with J, D1 and y linear between two samples,
     by the classical Runge-Kutta method in steps of half the fastest time constant.
 
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` r, 1 to 32; ``gain`` g in 1/s over the
     square of J's unit, > 0; ``f`` one of identity, tanh, atan, saturation; ``start`` the first estimate,
-    default zeros. Memory: 10 + 5 n + n^2 + 2 r (n + 1) floats. Returns the estimate from ``update``. Raises
-    ParameterError, and EventError and EventOrderError from ``update``.
+    default zeros. Raises ParameterError, and EventError and EventOrderError from ``update``.
 
     Reference: Khalin 2022, (3.47)-(3.51); before (3.51) the print lacks a J in J'J z.
 
@@ -376,12 +355,7 @@ class NonlinearRegressor(_Estimator):
     def declare(self, **values: Any) -> None:
         """Check the values."""
         super().declare(**values)
-        if self.f not in MONOTONE:
-            raise ParameterError(
-                f"f must be one of {', '.join(MONOTONE)}, which do not fall, received {self.f!r}",
-                field="f",
-                value=self.f,
-            )
+        one_of("f", self.f, MONOTONE)
 
     def settings(self) -> FloatArray:
         """The beginning of the memory."""
@@ -390,24 +364,13 @@ class NonlinearRegressor(_Estimator):
     def update(self, regressor: ArrayLike, weight: float, output: ArrayLike, t: float) -> FloatArray:
         """Process a sample at ``t`` s with ``weight`` D1 and return the estimate.
 
-        Raises EventError for values that are not finite or of another shape, a weight outside [0, 1], or a
-        gap over which the gain is too large; EventOrderError when time runs backwards; the stage is then
-        unchanged.
+        Raises EventError as ``GradientRegressor`` does, for a weight outside [0, 1], and for a gap over which
+        the gain is too large; EventOrderError when time runs backwards; the stage is then unchanged.
         """
-        try:
-            share = float(weight)
-        except (TypeError, ValueError) as unusable:
+        if (estimate := self._taken(t, regressor=regressor, output=output, weight=weight)) is None:
+            told = f"received t={t!r}, regressor {regressor!r}"
             raise EventError(
-                f"weight must be a number, received {weight!r}", field="weight", value=weight
-            ) from unusable
-        if not 0.0 <= share <= 1.0:
-            raise EventError(f"weight must lie in [0, 1], received {weight!r}", field="weight", value=weight)
-        if (estimate := self._taken(regressor, output, [share], t)) is None:
-            raise EventError(
-                f"gain J'J over the gap would need more than {STEPS_MOST} steps, received t={t!r}, "
-                f"regressor {regressor!r}",
-                field="t",
-                value=t,
+                f"gain J'J over the gap would need more than {STEPS_MOST} steps, {told}", field="t", value=t
             )
         return estimate
 
@@ -418,16 +381,83 @@ def _positive(count: int, gain: ArrayLike) -> FloatArray:
     def wrong(must: str) -> ParameterError:
         return ParameterError(f"gain must {must}, received {gain!r}", field="gain", value=gain)
 
-    shapes = f"be a finite number, {count} or {count} x {count}"
     try:
         values = np.array(gain, np.float64)
     except (TypeError, ValueError) as unusable:
-        raise wrong(shapes) from unusable
+        raise wrong("be numbers") from unusable
     if values.shape not in ((), (count,), (count, count)) or not np.isfinite(values).all():
-        raise wrong(shapes)
+        raise wrong(f"be a finite number, {count} or {count} x {count}")
     square = values if values.ndim == 2 else np.diag(np.broadcast_to(values, count))
     if np.abs(square - square.T).max() > 1e-12 * np.abs(square).max():
         raise wrong("be symmetric")
     if (least := float(np.linalg.eigvalsh(square).min())) <= 0.0:
         raise wrong(f"be positive definite, its least eigenvalue is {least:g}")
     return square
+
+
+class Regression(msgspec.Struct, frozen=True):
+    """y = D theta, the plant of a regressor: constants (or slowly moving numbers) seen through D.
+
+    ``parameters`` theta (n) or a function of t; ``regressor`` D (p, n), or (n) for one output, as a function
+    of t. With a ``weight`` D1, a function of t, the sensor saturates: y = (1 - D1) D theta + D1 f(D theta).
+
+    >>> line = Regression([3.0, 5.0], lambda t: [1.0, t])
+    >>> line.at(2.0)[0].tolist(), line.at(2.0)[1].tolist()
+    ([3.0, 5.0], [[1.0, 2.0]])
+    """
+
+    parameters: Any
+    regressor: Callable[[float], Any]
+    weight: Callable[[float], float] | None = None
+    f: Any = "atan"
+
+    def at(self, t: float) -> tuple[FloatArray, FloatArray]:
+        """Theta and D at a time."""
+        given = self.parameters(t) if callable(self.parameters) else self.parameters
+        theta = matrix("parameters", given, 1)[0]
+        return theta, matrix("regressor", self.regressor(t), None, len(theta))
+
+    def simulated(self, regressor: Any, setting: Setting) -> Simulation:
+        """The parameters beside those that a regressor estimates; see ``simulate``."""
+        unused = ("start", "estimate", "input", "disturbance", "unknown_input", "schedule")
+        setting.refuse("a regression", *unused)
+        title = TITLES.get(type(regressor))
+        if title is None:
+            known = ", ".join(one.__name__ for one in TITLES)
+            raise ParameterError(
+                f"a Regression needs one of {known}, received {type(regressor).__name__}", field="observer"
+            )
+        running, weight = regressor.fresh(), self.weight
+        if isinstance(regressor, NonlinearRegressor) and weight is None:
+            raise ParameterError("a NonlinearRegressor needs a weight D1, a function of t", field="plant")
+        times = setting.samples(discrete=False)
+        pairs = [self.at(float(t)) for t in times]
+        theta, rows = np.array([one for one, _ in pairs]), [d for _, d in pairs]
+        exact = np.array([d @ one for one, d in pairs])
+        weights = np.zeros((len(times), 1))
+        if weight is not None:
+            f = nonlinearity.nonlinearity(self.f, exact.shape[1])
+            weights[:, 0] = [float(weight(float(t))) for t in times]
+            exact = (1.0 - weights) * exact + weights * np.array([f(one) for one in exact])
+        outputs, estimate = setting.measured(exact), np.full_like(theta, np.nan)
+        for i, t in enumerate(times.tolist()):
+            if isinstance(running, NonlinearRegressor):
+                estimate[i] = running.update(rows[i], weights[i, 0], outputs[i], t)
+            elif isinstance(running, GradientRegressor):
+                estimate[i] = running.update(rows[i], outputs[i], t)
+            else:
+                running.update(rows[i][0], float(outputs[i][0]), t)
+                values = running.fit().values
+                estimate[i] = np.nan if values is None else values  # None before they are determined
+        none = np.zeros((len(times), 0))
+        names = tuple(f"theta{i + 1}" for i in range(theta.shape[1]))
+        return Simulation(
+            times, theta, estimate, outputs, none, names, title, False, none, none, none, none, np.zeros(0)
+        )
+
+
+TITLES: dict[type, str] = {
+    GradientRegressor: "gradient regressor",
+    NonlinearRegressor: "nonlinear regressor",
+    RecursiveLeastSquares: "recursive least squares",
+}

@@ -5,11 +5,14 @@ Propositions 4.3.1 and 4.3.2, the second corrected, and the interlaced form (4.1
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import pairwise
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise, product
+from math import inf, isfinite
 from typing import Any
 
-from pointpred.errors import ParameterError
+import numpy as np
+
+from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.numerics.matrices import instance, listed
 from pointpred_observers.plants.polynomials import Free, power_series, shortened, symbolic
 from pointpred_observers.plants.symbolic import (
@@ -18,7 +21,161 @@ from pointpred_observers.plants.symbolic import (
     SymbolicSystem,
     known_degree,
 )
-from pointpred_observers.triangular.ranges import StateRegion, prove_nonzero
+
+StateRegion = Mapping[Any, tuple[float, float]] | Sequence[tuple[float, float]] | None
+"""(low, high) of each state: a dictionary by symbol or name, or pairs in order; ``None``: no bounds."""
+Box = Sequence[tuple[float, float]]
+PARTS_MOST = 4096
+"""Parts of the box, all axes together: more parts give a tighter enclosure."""
+BOXES_MOST = 4000
+"""Most boxes examined before the answer is undecided."""
+SEARCHED = 10.0
+"""Half the side of the box about the origin that is searched for a zero in the whole space."""
+HALVINGS = 200
+SMALL = 1e-9
+
+
+def intervals_of(region: StateRegion, over: Sequence[Any], *, whole: bool = False) -> dict[Any, Any]:
+    """The intervals by symbol, of all symbols if ``whole``; pairs in order may not leave any out.
+
+    Raises ParameterError for an unknown state, a missing one and what is no finite interval.
+    """
+
+    def wrong(needs: str, value: Any) -> ParameterError:
+        return ParameterError(f"{needs}, received {value!r}", field="region", value=value)
+
+    known = {str(one): one for one in over}
+    if isinstance(region, Mapping):
+        named = {str(name): pair for name, pair in region.items()}
+        if unknown := named.keys() - known.keys():
+            raise wrong(f"region may hold {', '.join(known)}", min(unknown))
+        if whole and (missing := known.keys() - named.keys()):
+            raise wrong(f"region needs {', '.join(sorted(missing))}", region)
+    elif isinstance(region, list | tuple) and len(region) == len(over):
+        named = dict(zip(known, region, strict=True))
+    else:
+        raise wrong(f"region needs {len(over)} pairs (low, high)", region)
+    found = {}
+    for name, pair in named.items():
+        try:
+            low, high = (float(one) for one in pair)
+        except (TypeError, ValueError) as unusable:
+            raise wrong(f"{name} needs (low, high)", pair) from unusable
+        if not -inf < low <= high < inf:
+            raise wrong(f"{name} needs finite low <= high", pair)
+        found[known[name]] = low, high
+    return found
+
+
+def _enclosing(over: Sequence[Any], expression: Any) -> Callable[[Box], tuple[float, float]]:
+    """The expression as a function of a box, rounded outwards; infinite where there is no enclosure."""
+    from mpmath import iv
+
+    functions = {name: getattr(iv, name) for name in ("mpf", "sin", "cos", "tan", "exp", "log", "sqrt")}
+    enclose = symbolic().lambdify(over, expression, modules=[functions, "mpmath"])
+
+    def enclosed(box: Box) -> tuple[float, float]:
+        try:
+            interval = iv.mpf(enclose(*(iv.mpf(list(side)) for side in box)))
+        except (ValueError, TypeError, NotImplementedError, ZeroDivisionError):
+            return -inf, inf
+        return float(interval.a), float(interval.b)
+
+    return enclosed
+
+
+def enclosure(
+    expression: Any, box: Mapping[Any, tuple[float, float]], parts: int = PARTS_MOST
+) -> tuple[float, float]:
+    """Bounds of the expression over the box, rounded outwards and tight up to the size of one of ``parts``.
+
+    Raises ParameterError where it has no bounded enclosure or depends on other symbols.
+    """
+    over = sorted(expression.free_symbols, key=str)
+    if missing := [str(one) for one in over if one not in box]:
+        raise ParameterError(
+            f"region needs {', '.join(missing)}, which {expression} depends on", field="region"
+        )
+    enclosed, count = _enclosing(over, expression), max(1, int(parts ** (1.0 / max(1, len(over)))))
+    ends = [
+        np.linspace(low, high, count + 1 if low < high else 2) for low, high in (box[one] for one in over)
+    ]
+    found = [enclosed(part) for part in product(*(pairwise(one.tolist()) for one in ends))]
+    least, most = min(low for low, _ in found), max(high for _, high in found)
+    if not (isfinite(least) and isfinite(most)):
+        raise ParameterError(
+            f"{expression} has no bounds over the region: make it smaller", field="region", value=box
+        )
+    return least, most
+
+
+def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: StateRegion) -> None:
+    """Return if the expression has no zero in the region.
+
+    A box whose enclosure contains zero is halved; if that does not end, the answer is undecided. Raises
+    InfeasibleError naming a place where it vanishes or has no value, UndecidedError if neither could be
+    shown, ParameterError for parameters without value. A constant of parameters is taken as generic.
+    """
+    if shortened(expression) == 0:
+        raise InfeasibleError(f"{name} vanishes everywhere")
+    real = {w: symbolic().Symbol(w.name, real=True) for w in over}
+    if expression.subs(real).is_nonzero or not expression.free_symbols & {*over}:
+        return
+    if foreign := expression.free_symbols - {*over}:
+        raise ParameterError(f"{name} = {expression} needs values for {sorted(map(str, foreign))}")
+    enclosed = _enclosing(over, expression)
+    plain = symbolic().lambdify(over, expression, modules="math")
+
+    def value(place: Sequence[float]) -> float | None:
+        try:
+            return float(plain(*place))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            return None
+
+    def excluded(box: Box) -> bool:
+        """Whether zero lies outside by more than the rounding of the constants."""
+        low, high = enclosed(box)
+        return low > SMALL or high < -SMALL
+
+    def found(place: Sequence[float], what: str) -> InfeasibleError:
+        at = ", ".join(f"{w} = {x:.6g}" for w, x in zip(over, place, strict=True))
+        return InfeasibleError(f"{name} {what} at {at}")
+
+    if region is None and excluded([(-inf, inf)] * len(over)):
+        return
+    searched = [(-SEARCHED, SEARCHED)] * len(over) if region is None else region
+    intervals = intervals_of(searched, over, whole=True)
+    boxes: list[Box] = [[intervals[w] for w in over]]
+    centre = [0.5 * (low + high) for low, high in boxes[0]]
+    sign = value(centre) or 0.0
+    for _ in range(BOXES_MOST):
+        if not boxes:
+            break
+        box = boxes.pop(0)
+        if excluded(box):
+            continue
+        start, end = centre, [0.5 * (low + high) for low, high in box]
+        here = value(end)
+        if here is not None and here * sign < 0.0:
+            # Between places of opposite sign it is small at a zero, large or without value at a pole.
+            for _ in range(HALVINGS):
+                middle = [0.5 * (a + b) for a, b in zip(start, end, strict=True)]
+                at = value(middle)
+                start, end = (middle, end) if at is not None and at * sign > 0.0 else (start, middle)
+            here = value(end)
+            here = 0.0 if here is not None and abs(here) < SMALL else None
+        if here is None or here == 0.0:
+            raise found(end, "has no value" if here is None else "vanishes")
+        longest = max(range(len(box)), key=[high - low for low, high in box].__getitem__)
+        low, high = box[longest]
+        sides = ((low, end[longest]), (end[longest], high))
+        boxes += [[*box[:longest], side, *box[longest + 1 :]] for side in sides]
+    if boxes or region is None:
+        wanted = "region" if region is None else "smaller region"
+        raise UndecidedError(
+            f"{name} = {expression} was neither shown to vanish nowhere nor found to vanish in {BOXES_MOST} "
+            f"boxes; give a {wanted} of the generator"
+        )
 
 
 def interlaced(
@@ -40,8 +197,7 @@ def interlaced(
       pi_(i+1) = (Dpi_i s - f_i) / g_i and l = (Dpi_n s - f_n) / g_n.
     - Upper part (Proposition 4.3.2): zeta_i' = f_i of zeta_i, later states and z, analytic and zero at the
       origin, as power series up to ``degree``, accurate near the origin only, unless they end. The series is
-      the centre manifold. The print solves a Cauchy problem with pi = 0 where w_q = 0 instead; its solution
-      changes with each revolution of the generator and is not a steady state.
+      the centre manifold; the Cauchy problem of the print has a solution that is not a steady state.
 
     Rows of the upper part may also contain later states of the lower part if these can be solved without it
     (Example 9). Attraction is not proved.
@@ -84,9 +240,8 @@ def interlaced(
                 f"zero must hold {len(system.zero)} maps, received {len(zero)}", field="zero"
             )
         given |= zip(system.zero, zero, strict=True)
-    return _Solving(system, generator, known_degree(degree), region, system.functions(given)).solve(
-        dict(pairwise(chain)), [(x,) for x in system.states[:upper][::-1]]
-    )
+    maps = system.functions(given)
+    return _solved(system, generator, known_degree(degree), region, maps, dict(pairwise(chain)), upper)
 
 
 def _require_form(system: SymbolicSystem, upper: int, chain: Sequence[Any]) -> None:
@@ -106,83 +261,69 @@ def _require_form(system: SymbolicSystem, upper: int, chain: Sequence[Any]) -> N
             raise ParameterError(f"{x}' may contain {allowed}, received {sorted(map(str, wrong))}")
 
 
-class _Solving:
-    """The maps solved so far, and the rules that solve the next one."""
+def _solved(
+    system: SymbolicSystem,
+    generator: SymbolicGenerator,
+    degree: int | None,
+    region: StateRegion,
+    maps: dict[Any, Any],
+    following: dict[Any, Any],
+    upper: int,
+) -> SymbolicSteadyState:
+    """Apply the rules of both propositions until every map is solved; raises ParameterError if none applies.
 
-    def __init__(
-        self,
-        system: SymbolicSystem,
-        generator: SymbolicGenerator,
-        degree: int | None,
-        region: StateRegion,
-        maps: dict[Any, Any],
-    ) -> None:
-        self.system, self.generator, self.degree, self.region = system, generator, degree, region
-        self.maps, self.imposed = maps, [z for z in system.zero if z in maps]
-        self.rows = dict(
-            zip((*system.states, *system.zero), (*system.field, *system.zero_field), strict=True)
-        )
-        self.symbols = {*self.rows, system.input}
-        self.free: list[Free] = []
-        self.series_used = False
-        self.divided: list[Any] = []
+    ``maps``: those that are given; ``following``: what the row of each lower state gives.
+    """
+    names = (*system.states, *system.zero)
+    rows = dict(zip(names, (*system.field, *system.zero_field), strict=True))
+    w, free, divided = generator.states, list[Free](), list[Any]()
+    expanded = False
+    imposed = [z for z in system.zero if z in maps]
 
-    def solve(self, following: dict[Any, Any], series: list[tuple[Any, ...]]) -> SymbolicSteadyState:
-        """Apply the rules until every map is solved; raises ParameterError if no rule applies.
+    def missing(x: Any, *besides: Any) -> set[Any]:
+        wanted: set[Any] = rows[x].free_symbols & {*rows, system.input}
+        return wanted - maps.keys() - {*besides}
 
-        ``following``: what the row of each lower state gives; ``series``: the upper states in their order.
-        """
-        blocks = [*series, self.system.zero]
-        while self._divide(following) or self._expand(blocks):
-            pass
-        if waiting := [x for x in self.rows if x not in self.maps]:
-            states = [x for x in self.system.states if self._missing(x, {x})]
-            needs = "; ".join(f"{x}' needs {sorted(self._missing(x, {x}), key=str)}" for x in states)
-            raise ParameterError(f"no order of solving leads to {waiting}: {needs}")
-        residuals = self.system.residuals(self.generator, self.maps, self.divided)
-        for z in self.imposed:
-            if not self.series_used and residuals[z] != 0:
-                raise ParameterError(
-                    f"{z}' is not satisfied by {z} = {self.maps[z]}: the residual is {residuals[z]}"
-                )
-        system, degree = self.system, self.degree if self.series_used else None
-        maps, zero = (tuple(self.maps[x] for x in part) for part in (system.states, system.zero))
-        left, ell = tuple(residuals.values()), self.maps[system.input]
-        return SymbolicSteadyState(system, self.generator, maps, zero, ell, left, degree, tuple(self.free))
-
-    def _missing(self, x: Any, besides: set[Any]) -> set[Any]:
-        """The symbols of a row that are not solved yet."""
-        wanted: set[Any] = self.rows[x].free_symbols & self.symbols
-        return wanted - self.maps.keys() - besides
-
-    def _divide(self, following: dict[Any, Any]) -> bool:
+    def divide() -> bool:
         """Proposition 4.3.1: a row of the lower part gives the unknown that it contains first."""
         for x, target in following.items():
-            if x in self.maps and target not in self.maps and not self._missing(x, {x, target}):
-                gain = symbolic().diff(self.rows[x], target).subs(self.maps, simultaneous=True)
-                drift = self.rows[x].subs(target, 0).subs(self.maps, simultaneous=True)
-                prove_nonzero(f"g of {x}'", gain, self.generator.states, self.region)
-                self.divided.append(x)
-                self.maps[target] = shortened((self.generator.along(self.maps[x]) - drift) / gain)
+            if x in maps and target not in maps and not missing(x, x, target):
+                gain = symbolic().diff(rows[x], target).subs(maps, simultaneous=True)
+                drift = rows[x].subs(target, 0).subs(maps, simultaneous=True)
+                prove_nonzero(f"g of {x}'", gain, w, region)
+                divided.append(x)
+                maps[target] = shortened((generator.along(maps[x]) - drift) / gain)
                 return True
         return False
 
-    def _expand(self, blocks: list[tuple[Any, ...]]) -> bool:
-        """Proposition 4.3.2: a row of the upper part, or the zero dynamics, as a power series."""
-        waiting = [one for one in blocks if any(x not in self.maps for x in one)]
-        upper = [one for one in waiting if one is not self.system.zero]
-        for block in (*upper[:1], *(one for one in waiting if one is self.system.zero)):
-            if any(self._missing(x, set(block)) for x in block):
+    def expand() -> bool:
+        """Proposition 4.3.2: the next row of the upper part, or the zero dynamics, as a power series."""
+        nonlocal expanded
+        blocks = [(x,) for x in system.states[:upper][::-1] if x not in maps][:1]
+        blocks += [system.zero] if any(z not in maps for z in system.zero) else []
+        for block in blocks:
+            if any(missing(x, *block) for x in block):
                 continue
-            if self.degree is None:
+            if degree is None:
                 raise ParameterError(f"{block[0]}' needs a power series: give its degree, received None")
-            fields = [self.rows[x] for x in block]
-            wanted = set().union(*(f.free_symbols for f in fields)) & self.maps.keys()
-            w, s = self.generator.states, self.generator.field
-            inputs = {symbol: self.maps[symbol] for symbol in wanted}
-            maps, free = power_series(block, fields, inputs, w, s, self.degree)
-            self.maps |= maps
-            self.free += free
-            self.series_used = True
+            fields = [rows[x] for x in block]
+            inputs = {x: maps[x] for x in set().union(*(f.free_symbols for f in fields)) & maps.keys()}
+            found, terms = power_series(block, fields, inputs, w, generator.field, degree)
+            maps.update(found)
+            free.extend(terms)
+            expanded = True
             return True
         return False
+
+    while divide() or expand():
+        pass
+    if waiting := [x for x in rows if x not in maps]:
+        needs = [f"{x}' needs {sorted(missing(x, x), key=str)}" for x in system.states if missing(x, x)]
+        raise ParameterError(f"no order of solving leads to {waiting}: {'; '.join(needs)}")
+    residuals = system.residuals(generator, maps, divided)
+    for z in imposed:
+        if not expanded and residuals[z] != 0:
+            raise ParameterError(f"{z}' is not satisfied by {z} = {maps[z]}: the residual is {residuals[z]}")
+    pi, rho = (tuple(maps[x] for x in part) for part in (system.states, system.zero))
+    left, cut_at = tuple(residuals.values()), degree if expanded else None
+    return SymbolicSteadyState(system, generator, pi, rho, maps[system.input], left, cut_at, tuple(free))

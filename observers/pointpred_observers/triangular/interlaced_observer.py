@@ -1,4 +1,4 @@
-"""The reduced-order observer of an interlaced system (4.16): its certificate, its design and its stage.
+"""Section 4.4: Assumption 4.4.2, and the reduced-order observer (4.16) of an interlaced system.
 
 w' = A w + L (y - C w) is followed from the outputs, then the maps of the steady state are evaluated.
 """
@@ -6,39 +6,32 @@ w' = A w + L (y - C w) is followed from the outputs, then the maps of the steady
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
-from math import isfinite, nan
+from itertools import product
 from typing import Any, ClassVar, Self
 
 import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.errors import DivergenceError, EventError, ParameterError
+from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
 from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
 from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
-from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.interconnected.realisation import MissingInputs
+from pointpred_observers.interconnected.persidskii_stage import MissingInputs, PersidskiiStage
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward
 from pointpred_observers.numerics.eigenvalues import perron_root, require_detectable
 from pointpred_observers.numerics.matrices import instance, matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import SteadyStateDocument
-from pointpred_observers.plants.entries import (
-    Document,
-    Functions,
-    Values,
-    finite,
-    gap_of,
-    matrices_of,
-    plain,
-)
+from pointpred_observers.plants.entries import Document, Functions, Values, finite, gap_of, matrices_of, plain
 from pointpred_observers.plants.expressions import parsed
 from pointpred_observers.plants.polynomials import symbolic
 from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
 from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
+from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
 from pointpred_observers.proofs.definite import solved
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
@@ -46,7 +39,7 @@ from pointpred_observers.proofs.search import Posed, search
 from pointpred_observers.proofs.stationary import filter_start
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, Signal, run
-from pointpred_observers.triangular.forms import interlaced
+from pointpred_observers.triangular.forms import StateRegion, enclosure, interlaced, intervals_of
 
 SMALL = 1e-3
 """Weight of the size of U, which decides among gains with the same traces."""
@@ -54,6 +47,10 @@ DEGREE = 3
 """Of the power series of the steady state."""
 STEP = 0.01
 """A step of the integration, of the fastest time constant: it errs by 1e-12 of w."""
+TERMS_MOST = 8
+"""Most different terms of the Jacobian of Assumption 4.4.2: each doubles the number of corners."""
+RESIDUAL_PARTS = 256
+"""Parts of the box over which a residual is enclosed: a long expression, of which the size will do."""
 
 
 class InterlacedCertificate(msgspec.Struct, frozen=True):
@@ -62,11 +59,8 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
     ``bound`` of e = w - w_hat for ``v``, the error of y: noise, and the plant's distance from its steady
     state. Its decay is lambda_min(P^-1 Q) / 2 in 1/s, its overshoot sqrt(lambda_max(P) / lambda_min(P)) and
     its gain sqrt(lambda_max(Gamma) / (2 decay lambda_min(P))). The print has the first root upside down and
-    leaves out lambda_min(Q) under the second; with lambda_min(Q) / lambda_max(P), which is no larger, in
-    place of twice the decay, its bound also holds.
-
-    ``gap``: how far the least trace of P and Gamma in balanced units could lie below that of these, relative;
-    infinite if nothing is proved, as for matrices that were given.
+    leaves out lambda_min(Q) under the second. ``gap``: how far the least trace of P and Gamma in balanced
+    units could lie below that of these, relative; infinite if nothing is proved.
     """
 
     P: Any
@@ -88,11 +82,10 @@ class InterlacedCertificate(msgspec.Struct, frozen=True):
 
 
 def theorem_4_4_1(a: ArrayLike, c: ArrayLike) -> MatrixInequalities:
-    """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities; see ``check``."""
+    """Theorem 4.4.1 as a problem in P, Q, Gamma and U, with strict inequalities."""
     system = matrix("A", a)
-    q = len(system)
-    output = matrix("C", c, None, q)
-    p = len(output)
+    output = matrix("C", c, None, len(system))
+    p, q = output.shape
 
     def block(v: Any) -> FloatArray:
         corner = v.P @ system - v.U @ output
@@ -109,13 +102,12 @@ def certify(
 ) -> InterlacedCertificate:
     """Compute a gain with its certificate, or a certificate for ``gain``.
 
-    Of all gains whose error decays as exp(-``decay`` t) it takes one with the least trace of P and Gamma in
-    balanced units, for little overshoot and noise, and of several the smallest U. That the plant converges to
-    its steady state is assumption 4.4.2 and not checked.
+    Minimises the trace of P and Gamma in balanced units, for little overshoot and noise, and beside it the
+    size of U. That the plant converges to its steady state is assumption 4.4.2 and not checked.
 
-    Parameters: ``a`` of the generator; ``c`` with h(rho, pi) = C w; ``decay`` in 1/s, above 0; ``gain`` L.
-    Raises ParameterError, InfeasibleError (before any solver runs for an unobservable eigenvalue),
-    UndecidedError and CertificateError. Reference: Khalin 2022, Theorem 4.4.1.
+    Parameters: ``a`` (q, q) of the generator; ``c`` (p, q) with h(rho, pi) = C w; ``decay`` in 1/s, above 0,
+    of the error; ``gain`` L (q, p). Raises InfeasibleError naming an undetectable eigenvalue before any
+    solver runs; what the solver raises; ParameterError. Reference: Khalin 2022, Theorem 4.4.1.
 
     >>> found = certify([[0.0, 1.0], [-1.0, 0.0]], [[1.0, 0.0]], decay=0.25)
     >>> found.L.round(2).tolist(), round(found.bound.overshoot, 2)
@@ -135,11 +127,11 @@ def certify(
         if fixed is not None:
             inner = inward(fixed, x, y, t)
             problem.equal("U = P L", lambda v: v.U - v.P @ inner)
-        problem.number("size").above(
-            "size - U'U",
-            lambda v: np.block([[v.size * np.eye(len(c)), v.U.T], [v.U, np.eye(len(a))]]),
-            strict=False,
-        )
+
+        def room(v: Any) -> FloatArray:
+            return np.block([[v.size * np.eye(len(c)), v.U.T], [v.U, np.eye(len(a))]])
+
+        problem.number("size").above("size - U'U", room, strict=False)
         form = np.outer(x, x)
         measured = {"P": form, "Q": t * form, "Gamma": t * np.outer(y, y), "U": t * np.outer(x, y)}
         near = _start(a, c, decay * t) if fixed is None else None
@@ -151,8 +143,7 @@ def certify(
 
 def _start(a: FloatArray, c: FloatArray, decay: float) -> dict[str, Any] | None:
     """The matrices of the stationary filter, and a Gamma that is large enough for them."""
-    start = filter_start(a, c, 1.2 * decay, "continuous")
-    if start is None:
+    if (start := filter_start(a, c, 1.2 * decay, "continuous")) is None:
         return None
     p, u = start
     corner, q = p @ a - u @ c, 2.2 * decay * p
@@ -187,29 +178,12 @@ class InterlacedEstimate(msgspec.Struct, frozen=True):
 
 
 class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
-    """The design of an observer that estimates a plant's state from that of the generator which drives it.
+    """The observer w' = A w + L (y - C w), x = pi(w), z = rho(w), u = l(w) of a driven plant.
 
     Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an
     error of y. If the steady state is a truncated series, x and z are accurate near the origin only.
 
-    w' = A w + L (y - C w), x = pi(w), z = rho(w), u = l(w)
-
-    Parameters: ``steady`` whose outputs must be C w; ``certificate`` with L, from ``certify``; ``start`` of
-    w, default zeros; ``gap_s`` s, by default none: over a longer interval between two samples the generator
-    runs alone. Reference: Khalin 2022, Theorem 4.4.1.
-
-    >>> import sympy as sp
-    >>> from pointpred_observers.triangular.forms import interlaced
-    >>> from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem
-    >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
-    >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
-    >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), 1, w1, degree=2)
-    >>> stage = InterlacedObserver.design(steady, decay=0.5).stage()
-    >>> for i in range(4000):
-    ...     estimate = stage.update(np.cos(0.01 * i), 0.01 * i)
-    >>> true = steady.function()((np.cos(39.99), -np.sin(39.99)))
-    >>> round(estimate.x[0], 4), round(float(true[0]), 4)
-    (0.2887, 0.2887)
+    Reference: Khalin 2022, Theorem 4.4.1.
     """
 
     kind: ClassVar[str] = "interlaced"
@@ -237,8 +211,8 @@ class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
         Parameters: ``plant``, or its steady state from ``interlaced``, which needs none of the next four;
         ``generator`` that drives it; ``first`` the steady state of the first lower row, an expression or its
         text, such as "w1"; ``upper`` rows of the upper part; ``degree`` of their power series; ``gain`` (q,
-        p) to certify instead of computing one; ``start`` of w, default zeros; ``gap_s``: over a longer
-        interval between two samples the generator runs alone. See ``certify`` for what is raised.
+        p) to certify; ``start`` of w, default zeros; ``gap_s``: over a longer interval between two samples
+        the generator runs alone. Raises what ``certify`` and ``interlaced`` raise.
         """
         if isinstance(plant, SymbolicSystem):
             moved = instance("generator", generator, SymbolicGenerator)
@@ -304,19 +278,17 @@ class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
         sizes = [(len(one.states), len(one.zero), len(one.outputs)) for one in (system, steady.system)]
         if sizes[0] != sizes[1]:
             raise ParameterError(
-                f"the observer was designed for {sizes[1][0]} states, {sizes[1][1]} of zero dynamics and "
-                f"{sizes[1][2]} outputs, received a plant of {sizes[0][0]}, {sizes[0][1]} and {sizes[0][2]}",
+                "the observer was designed for {} states, {} of zero dynamics and {} outputs, received a "
+                "plant of {}, {} and {}".format(*sizes[1], *sizes[0]),
                 field="plant",
             )
-        times, q = setting.samples(discrete=False), len(steady.generator.states)
-        n = sizes[0][0] + sizes[0][1]
+        times, q, n = setting.samples(discrete=False), len(steady.generator.states), sum(sizes[0][:2])
         field = driven_field(steady, system, setting.signal("disturbance", n))
         both = run(field, setting.begin(q + n), times, discrete=False)
         driving, state = both[:, :q], both[:, q:]
         outputs = setting.measured(outputs_of(system, state))
         stage = self.stage(start=setting.begin(q, "estimate", 0.0))
-        table = np.column_stack([times, outputs])
-        answers = stage.walk(np.zeros(len(table), np.bool_), table)
+        answers = stage.walk(np.zeros(len(times), np.bool_), np.column_stack([times, outputs]))
         none = np.zeros((len(times), 0))
         names = tuple(str(one) for one in (*system.states, *system.zero))
         pushed = steady.function()(driving.T)[-1][:, None]
@@ -359,16 +331,13 @@ class InterlacedDocument(Document, tag="interlaced observer", frozen=True):
 def _first(given: Any, generator: SymbolicGenerator) -> Any:
     """The steady state of the first lower row; raises ParameterError for another symbol than those of w."""
     if given is None:
-        raise ParameterError(
-            "an interlaced observer needs first, the steady state of the first lower row, such as w1",
-            field="first",
-        )
+        raise ParameterError("give first, the steady state of the first lower row, such as w1", field="first")
     first = parsed(given, "first") if isinstance(given, str) else given
-    foreign = sorted(map(str, getattr(first, "free_symbols", set()) - set(generator.states)))
+    foreign: set[Any] = getattr(first, "free_symbols", set()) - set(generator.states)
     if foreign:
         raise ParameterError(
             f"first may hold the generator's states {', '.join(map(str, generator.states))}, received "
-            f"{given!r} with {', '.join(foreign)}",
+            f"{given!r} with {', '.join(sorted(map(str, foreign)))}",
             field="first",
         )
     return first
@@ -382,8 +351,8 @@ class InterlacedStage:
     restarts, which without ``gap_s`` is refused. The equation of w is integrated in compiled code; values of
     the maps that are not finite are NaN.
 
-    Parameters: ``observer`` the design; ``start`` of w; ``gap_s`` s. Returns ``InterlacedEstimate`` from
-    ``update``. Raises ParameterError, and EventError and EventOrderError from ``update`` and ``walk``.
+    Parameters: ``observer`` the design; ``start`` of w; ``gap_s`` s. Raises ParameterError, and EventError
+    and EventOrderError from ``update``.
     """
 
     def __init__(self, observer: InterlacedObserver, start: ArrayLike, gap_s: float | None = None) -> None:
@@ -395,15 +364,9 @@ class InterlacedStage:
         self._bridged = STEPS_MOST * step_s
         self._gap = np.inf if gap_s is None else min(positive("gap_s", gap_s), self._bridged)
         self.observer = observer
+        begin, missing = matrix("start", start, q, 1).ravel(), MissingInputs.expected(c, np.zeros((p, 0)), p)
         self._generator = PersidskiiStage(
-            closed,
-            None,
-            None,
-            gain,
-            "sin",
-            start=matrix("start", start, q, 1).ravel(),
-            missing=MissingInputs.expected(c, np.zeros((p, 0)), p),
-            step_s=step_s,
+            closed, None, None, gain, "sin", start=begin, missing=missing, step_s=step_s
         )
         self._last: float | None = None
         self._maps = _numerical(steady)
@@ -426,33 +389,25 @@ class InterlacedStage:
         except (DivergenceError, EventError):
             self._generator.recall(before)
             raise
-        self._last = now
-        at, n = tuple(w.tolist()), len(self.observer.steady.maps)
-        *maps, push = self._mapped(at)
-        return InterlacedEstimate(now, at, tuple(maps[:n]), tuple(maps[n:]), push)
+        self._last, n = now, len(self.observer.steady.maps)
+        with np.errstate(all="ignore"):
+            maps = self._maps(w)
+        *values, push = np.where(np.isfinite(maps), maps, np.nan).tolist()
+        return InterlacedEstimate(now, tuple(w.tolist()), tuple(values[:n]), tuple(values[n:]), push)
 
     def walk(self, begin: BoolArray, rows: FloatArray) -> FloatArray:
-        """Rows (w, x, z, u) for rows (t, outputs), starting again before each that is marked ``begin``."""
-        last, marks, alone = self._last, np.array(begin[: len(rows)]), []
-        for i, t in enumerate(rows[:, 0].tolist()):
-            if last is None or marks[i]:
-                last = t
-            elif t > last:
-                if t - last > self._gap:
-                    if t - last <= self._bridged:
-                        alone.append(i)
-                    else:
-                        marks[i] = True
-                last = t
-        # A row without outputs at the end of a gap: until then the generator runs alone.
-        unmeasured = np.array(rows[alone])
-        unmeasured[:, 1:] = np.nan
-        w = self._generator.walk(
-            np.insert(marks, alone, values=False), np.insert(rows, alone, unmeasured, axis=0)
-        )
-        self._last = last
-        kept = np.delete(w, np.array(alone, int) + np.arange(len(alone)), axis=0).tolist()
-        return np.array([[*one, *self._mapped(one)] for one in kept]).reshape(len(rows), self.width)
+        """Rows (w, x, z, u) for rows (t, outputs), starting again before each that is marked ``begin``.
+
+        NaN where time runs backwards; the rows after it are taken. Raises EventError as ``update`` does.
+        """
+        out = np.full((len(rows), self.width), np.nan)
+        for i, (t, *y) in enumerate(rows.tolist()):
+            if begin[i]:
+                self.reset()
+            with suppress(EventOrderError):
+                found = self.update(y, t)
+                out[i] = [*found.w, *found.x, *found.z, found.input]
+        return out
 
     def reset(self) -> None:
         """Forget every sample."""
@@ -465,16 +420,6 @@ class InterlacedStage:
         twin.reset()
         return twin
 
-    def _mapped(self, w: Sequence[float]) -> list[float]:
-        """The maps at w; numpy's function answers where Python's numbers raise."""
-        quick, whole = self._maps
-        try:
-            values = [float(one) for one in quick(*w)]
-        except (ArithmeticError, TypeError, ValueError):
-            with np.errstate(all="ignore"):
-                values = whole(w).tolist()
-        return [one if isfinite(one) else nan for one in values]
-
     def __getstate__(self) -> dict[str, Any]:
         """A memory of its own, and everything but the function, which sympy makes again."""
         return {**self.__dict__, "_generator": copy.copy(self._generator), "_maps": None}
@@ -484,20 +429,18 @@ class InterlacedStage:
         self._maps = _numerical(self.observer.steady)
 
 
-def _numerical(steady: SymbolicSteadyState) -> tuple[Callable[..., Any], Callable[[Any], FloatArray]]:
-    """The maps as a function of numbers and as numpy's; raises ParameterError where one has no values."""
-    wanted = (*steady.maps, *steady.zero_maps, steady.input)
+def _numerical(steady: SymbolicSteadyState) -> Callable[[Any], FloatArray]:
+    """The maps as a function of w; raises ParameterError where one has no values."""
     try:
-        whole = steady.function()
+        maps = steady.function()
         with np.errstate(all="ignore"):
-            whole(np.zeros(len(steady.generator.states)))
+            maps(np.zeros(len(steady.generator.states)))
     except (NameError, TypeError, AttributeError, NotImplementedError, SyntaxError) as unusable:
         raise ParameterError(
             f"the maps hold a function that has no numerical form: {unusable}; give it one by sympy's "
             "implemented_function"
         ) from unusable
-    modules = ["math", "scipy", "numpy"]
-    return symbolic().lambdify(steady.generator.states, wanted, modules=modules, cse=True), whole
+    return maps
 
 
 def driven_field(
@@ -524,3 +467,93 @@ def outputs_of(system: SymbolicSystem, states: FloatArray) -> FloatArray:
     names = (*system.states, *system.zero)
     columns = symbolic().lambdify(names, system.outputs, modules="numpy")(*states.T)
     return np.stack([np.broadcast_to(one, len(states)) for one in columns], axis=-1)
+
+
+class AttractionCertificate(msgspec.Struct, frozen=True):
+    """Both parts of Assumption 4.4.2: ``C`` of h(rho, pi) = C w, and that x - pi(w), z - rho(w) decay.
+
+    ``terms``: the terms of the Jacobian that vary, with their bounds over the ``region``; the ``certificate``
+    holds while the plant's state, its steady state and w stay in it. ``residual``: the largest norm there of
+    what a truncated steady state leaves of its equations; its effect is in ``bound``.
+    """
+
+    C: FloatArray
+    certificate: DecayCertificate
+    terms: dict[str, tuple[float, float]]
+    region: dict[str, tuple[float, float]]
+    residual: float = 0.0
+
+    @property
+    def bound(self) -> ErrorBound:
+        """The bound of x - pi(w), z - rho(w), for ``d`` in their equations."""
+        return self.certificate.bound
+
+
+def assumption_4_4_2(
+    steady: SymbolicSteadyState, region: StateRegion = None, *, decay: float | None = None
+) -> AttractionCertificate:
+    """A certificate of Assumption 4.4.2 in a region: detectable output, incrementally stable plant.
+
+    1. h(rho(w), pi(w)) must be C w with (A, C) detectable. 2. Under u = l(w) two solutions of the plant
+    approach each other, up to a disturbance d of its equations: their difference obeys the Jacobian somewhere
+    in the box, each term of which lies between its bounds there; one quadratic function for all corners of
+    these bounds is a proof. The residuals of a steady state that is not exact are a disturbance d that never
+    ends: the bound holds the largest over the region. A refusal proves nothing unless it names an eigenvalue
+    at a point of the region.
+
+    Parameters: ``region`` of the states x and z and of the generator's w that the Jacobian or the residuals
+    contain, each (low, high), by symbol or by name; not needed for a linear plant; ``decay`` in 1/s, > 0, by
+    default a fraction of the slowest corner's. Raises InfeasibleError naming the undetectable mode;
+    ParameterError for an output that is not C w, a missing bound or more than 8 terms; what
+    ``certify_decay`` raises.
+
+    Reference: Khalin 2022, Assumption 4.4.2; Lohmiller and Slotine 1998.
+
+    >>> import sympy as sp
+    >>> from pointpred_observers import SymbolicGenerator, SymbolicSystem, interlaced
+    >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
+    >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
+    >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), upper=1, first=w1, degree=2)
+    >>> found = assumption_4_4_2(steady, {x2: (-1.0, 1.0)}, decay=0.5)
+    >>> found.C.tolist(), {name: [round(one, 6) for one in pair] for name, pair in found.terms.items()}
+    ([[1.0, 0.0]], {'x2': [-1.0, 1.0]})
+    """
+    c = output_matrix(steady)
+    require_detectable(steady.generator.matrix(), c, "continuous", "(A, C)")
+    system, states = steady.system, (*steady.system.states, *steady.system.zero)
+    if parameters := system.parameters() - {*steady.generator.states}:
+        raise ParameterError(f"parameters without value: {sorted(map(str, parameters))}")
+    box = {} if region is None else intervals_of(region, (*states, *steady.generator.states))
+    n = len(states)
+    # The Jacobian under u = l(w): a constant part, and the coefficients of each term that varies.
+    constant, terms = np.zeros((n, n)), dict[Any, FloatArray]()
+    for (i, row), (j, state) in product(enumerate((*system.field, *system.zero_field)), enumerate(states)):
+        entry = symbolic().expand(symbolic().diff(row, state).subs(system.input, steady.input))
+        for summand in symbolic().Add.make_args(entry):
+            factor, term = summand.as_independent(*summand.free_symbols, as_Add=False)
+            if summand.free_symbols:
+                terms.setdefault(term, np.zeros((n, n)))[i, j] += float(factor)
+            else:
+                constant[i, j] += float(summand)
+    if len(terms) > TERMS_MOST:
+        raise ParameterError(
+            f"the Jacobian has {len(terms)} different terms, at most {TERMS_MOST} are allowed: "
+            f"{', '.join(map(str, terms))}"
+        )
+    ranges = {term: enclosure(term, box) for term in terms}
+    names, corners = [], []
+    for chosen in product(*ranges.values()):
+        corners.append(sum((v * slope for v, slope in zip(chosen, terms.values(), strict=True)), constant))
+        names.append(", ".join(f"{term} = {v:.6g}" for term, v in zip(terms, chosen, strict=True)))
+    drive = np.broadcast_to(np.eye(n), (len(corners), n, n)).copy()
+    errors = ErrorSystem(np.array(corners), drive, np.eye(n), tuple(names), {"d": n}, "continuous")
+    try:
+        found = certify_decay(errors, decay=decay)
+    except ArithmeticError as failure:
+        raise type(failure)(f"Assumption 4.4.2: {failure}") from failure
+    ends = [enclosure(one, box, RESIDUAL_PARTS) for one in steady.residuals if one != 0]
+    residual = float(np.linalg.norm([max(-low, high) for low, high in ends]))
+    rest = found.bound.gains[0] * residual
+    found = msgspec.structs.replace(found, bound=msgspec.structs.replace(found.bound, rest=rest))
+    named, within = ({str(one): pair for one, pair in part.items()} for part in (ranges, box))
+    return AttractionCertificate(c, found, named, within, residual)
