@@ -15,14 +15,15 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.errors import DivergenceError, EventError, ParameterError
+from pointpred.errors import DivergenceError, EventError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
 from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
 from pointpred_observers.interconnected.realisation import MissingInputs
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward
-from pointpred_observers.numerics.eigenvalues import perron_root, require_detectable
+from pointpred_observers.numerics.eigenvalues import hidden, perron_root, require_detectable
+from pointpred_observers.numerics.equalities import NO_DIGIT
 from pointpred_observers.numerics.matrices import instance, matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import SteadyStateDocument
@@ -146,7 +147,15 @@ def certify(
         return Posed(problem, measured, lambda v: np.trace(v.P) + np.trace(v.Gamma) + SMALL * v.size, near)
 
     units = balanced(system, seen=output, rates=(decay,))
-    return search(units, posed, partial(InterlacedCertificate.audited, system, output))
+    try:
+        return search(units, posed, partial(InterlacedCertificate.audited, system, output))
+    except InfeasibleError as failure:
+        still = hidden(system, output, "continuous", least=NO_DIGIT)
+        modes = still if fixed is None else np.linalg.eigvals(system - fixed @ output).tolist()
+        if any(one.real >= -decay for one in modes):
+            raise
+        # Every faster error has a P (Lyapunov): the proof holds for condition numbers of the search only.
+        raise UndecidedError(f"decay = {decay:g} is too large for the arithmetic: {failure}") from failure
 
 
 def _start(a: FloatArray, c: FloatArray, decay: float) -> dict[str, Any] | None:
