@@ -99,9 +99,13 @@ def proved_bound(P: Any, decay: float, drives: Mapping[str, float], time: str = 
     1.25
     """
     p = eigenvalues("P", P)
-    loss = -expm1(-2.0 * decay) if time == "discrete" else 2.0 * decay
-    gains = tuple(sqrt(one / (loss * p[0])) for one in drives.values())
+    gains = tuple(sqrt(one / (decay_share(decay, time) * p[0])) for one in drives.values())
     return ErrorBound(sqrt(p[-1] / p[0]), decay, gains, tuple(drives))
+
+
+def decay_share(decay: float, time: str) -> float:
+    """The share of V that is lost in a unit of time at this decay of the error."""
+    return -expm1(-2.0 * decay) if time == "discrete" else 2.0 * decay
 
 
 def decay_of(P: Any, Xi: Any, time: str) -> float:

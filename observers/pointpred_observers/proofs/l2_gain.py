@@ -46,7 +46,10 @@ def h_infinity(a: FloatArray, b: FloatArray, c: FloatArray, time: str = "continu
             np.sqrt(2.0) * c @ inverse,
             -c @ inverse @ b,
         )
-    level, at = _first(a, b, c, d)
+    values = np.linalg.eigvals(a)
+    # The largest gain at rest, at infinity and near each eigenvalue.
+    tried = [(_gain(a, b, c, d, w), float(w)) for w in (0.0, *np.abs(values), *np.abs(values.imag))]
+    level, at = max([*tried, (float(np.linalg.norm(d, 2)), np.inf)], key=lambda one: one[0])
     for _ in range(STEPS_MOST):
         crossings = _crossings(a, b, c, d, (1.0 + TOLERANCE) * level)
         if not len(crossings):
@@ -60,14 +63,6 @@ def h_infinity(a: FloatArray, b: FloatArray, c: FloatArray, time: str = "continu
     return level, 2.0 * float(np.arctan(at)) if time == "discrete" else at
 
 
-def _first(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray) -> tuple[float, float]:
-    """The largest gain at rest, at infinity and near each eigenvalue."""
-    values = np.linalg.eigvals(a)
-    frequencies = [0.0, *np.abs(values), *np.abs(values.imag)]
-    tried = [(_gain(a, b, c, d, w), float(w)) for w in frequencies]
-    return max([*tried, (float(np.linalg.norm(d, 2)), np.inf)], key=lambda one: one[0])
-
-
 def _gain(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray, frequency: float) -> float:
     inside = np.linalg.solve(1j * frequency * np.eye(len(a)) - a, b)
     return float(np.linalg.norm(c @ inside + d, 2))
@@ -75,8 +70,6 @@ def _gain(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray, frequency:
 
 def _crossings(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray, level: float) -> FloatArray:
     """The frequencies above 0 at which a singular value equals the level, in order."""
-    if level == 0.0:
-        return np.zeros(0)
     r = level**2 * np.eye(d.shape[1]) - d.T @ d
     if np.linalg.eigvalsh(r)[0] <= 0.0:
         return np.zeros(0)

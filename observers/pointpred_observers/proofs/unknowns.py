@@ -196,10 +196,6 @@ class Unknowns:
         left = np.asarray(block(self.matrices(numbers)), np.float64)
         return np.atleast_2d(left), np.atleast_2d(terms)
 
-    def value(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
-        """A block as a symmetric matrix; raises ParameterError if it is not."""
-        return symmetric(name, block(self.matrices(numbers)))
-
 
 class Watched:
     """Matrices as attributes; records which were read."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import expm1
+from functools import partial
 from typing import Any
 
 import msgspec
@@ -20,6 +20,7 @@ from pointpred_observers.plants.persidskii import Persidskii, column, row
 from pointpred_observers.proofs.bounds import (
     ErrorBound,
     decay_of,
+    decay_share,
     eigenvalues,
     least_ratio,
     proved_bound,
@@ -28,7 +29,6 @@ from pointpred_observers.proofs.bounds import (
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.search import Posed, at_decay, inward_all, search
 from pointpred_observers.proofs.stationary import cover, decay_start, middle, normal
-from pointpred_observers.proofs.unknowns import Block
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
 
 Slopes = tuple[tuple[float, float], ...] | None
@@ -113,26 +113,22 @@ def theorem_3_3_1(
         problem.symmetric("W", q)
     corners = vertices(slopes) if sloped else {}
 
-    def sector(one: Connection, corner: FloatArray) -> Block:
-        return lambda v: v.W - symmetric(v.P @ one.S1 @ corner @ one.J)
+    def sector(one: Connection, corner: FloatArray, v: Any) -> FloatArray:
+        return np.asarray(v.W - symmetric(v.P @ one.S1 @ corner @ one.J))
 
-    def add(one: Connection, mark: str) -> None:
-        if F is not None:
-            f = matrix("F", F, q, one.S1.shape[1])
-            problem.equal(f"P S1 - F{mark}", lambda v: v.P @ one.S1 - f)
-        for name, corner in corners.items():
-            problem.above(
-                f"W - sym(F D J), D = diag({name}){mark}",
-                sector(one, corner),
-                strict=False,
-            )
-        problem.below(
-            f"the inequality{mark}",
-            lambda v: symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0),
-        )
+    def dissipation(one: Connection, v: Any) -> FloatArray:
+        within = 2.0 * v.W if sloped else 0.0
+        return np.asarray(symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + within)
 
     for i, one in enumerate(connections):
-        add(one, f" at {i}" if len(connections) > 1 else "")
+        mark = f" at {i}" if len(connections) > 1 else ""
+        if F is not None:
+            s1, f = one.S1, matrix("F", F, q, one.S1.shape[1])
+            problem.equal(f"P S1 - F{mark}", lambda v, s1=s1, f=f: v.P @ s1 - f)
+        for name, corner in corners.items():
+            bound = partial(sector, one, corner)
+            problem.above(f"W - sym(F D J), D = diag({name}){mark}", bound, strict=False)
+        problem.below(f"the inequality{mark}", partial(dissipation, one))
     return problem
 
 
@@ -152,20 +148,21 @@ def theorem_3_3_2(
     Raises ParameterError for a gamma below the norm of that L, where an observer has slopes.
     """
     connections, slopes = connections_of(observer, slopes, times)
-    bounds_of_f: list[Any] = [gamma] * len(connections)
-    if gamma is None:
-        bounds_of_f = [lipschitz(slopes, one.J) for one in connections]
-    elif isinstance(observer, InvariantObserver) and slopes is not None:
-        _require_lipschitz(positive("gamma", gamma), slopes, connections)
-    else:
+    if gamma is not None:
         positive("gamma", gamma)
     q = len(connections[0].S0)
     problem = MatrixInequalities("Theorem 3.3.2").positive("P", q).symmetric("Xi", q)
     problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
 
-    for i, (one, constant) in enumerate(zip(connections, bounds_of_f, strict=True)):
+    for i, one in enumerate(connections):
+        if gamma is None:
+            steepest = lipschitz(slopes, one.J)
+        else:
+            steepest = gamma * np.eye(q)
+            if isinstance(observer, InvariantObserver) and slopes is not None and one.S1.any():
+                _require_lipschitz(gamma, float(np.linalg.norm(lipschitz(slopes, one.J), 2)))
         mark = f" at {i}" if len(connections) > 1 else ""
-        problem.below(f"the LMI{mark}", _next(one, constant), strict=False)
+        problem.below(f"the LMI{mark}", partial(_next, one, steepest), strict=False)
     return problem
 
 
@@ -207,7 +204,12 @@ def certify_convergence(
             positive(name, given)
     connections = _held(instance("observer", observer, InvariantObserver), times)
     plant = observer.plant
-    slowest = max(_slowest(one, plant) for one in connections)
+    theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
+    corners = [("", one.S0) for one in connections if not one.S1.any()]
+    for one in (one for one in connections if one.S1.any()):
+        slopes = vertices(plant.slopes).items()
+        corners += [(f"D = diag({name})", one.S0 + one.S1 @ d @ one.J) for name, d in slopes]
+    slowest = require_decay(corners, plant.time, f"Theorem {theorem}: S0 + S1 D J")
 
     def certified(rate: float) -> Convergence:
         scale, share = gamma or rate, decay_share(rate, plant.time)
@@ -272,13 +274,26 @@ def certified_convergence(
 
     Raises CertificateError naming the equality or the inequality that fails.
     """
-    connections = _held(observer, None)
+    connections, plant = _held(observer, None), observer.plant
     matrices = {name: one for name, one in values.items() if name != "gamma"}
-    if observer.plant.time == "discrete":
-        margins = theorem_3_3_2(observer).check(matrices, printed=False)
-    else:
-        margins = theorem_3_3_1(observer, gamma=values["gamma"]).check(matrices, printed=False)
+    theorem = _theorem(connections, plant.time, plant.slopes, values.get("gamma", 1.0))
+    margins = theorem.check(matrices, printed=False)
     return Convergence.of(connections, observer.plant, dict(values), margins, gap)
+
+
+def _theorem(connections: list[Connection], time: str, slopes: Slopes, gamma: float) -> MatrixInequalities:
+    if time == "discrete":
+        return theorem_3_3_2(connections, slopes)
+    return theorem_3_3_1(connections, slopes, gamma)
+
+
+def _held(observer: InvariantObserver, times: Sequence[float] | None) -> list[Connection]:
+    """The matrices that are certified; raises CertificateError for an equality that does not hold."""
+    varying = "the observer" if observer.varying else ""
+    connections = [observer.at(t) for t in moments(varying, times, "certified")]
+    for one in connections:
+        one.require_equalities()
+    return connections
 
 
 def connections_of(
@@ -325,16 +340,6 @@ def _printed(given: Mapping[str, Any]) -> Connection:
     return Connection(none, s0, s1, j, none, none, np.zeros((len(j), 0)), {}, True, none)
 
 
-def _held(observer: InvariantObserver, times: Sequence[float] | None) -> list[Connection]:
-    """The matrices that are certified; raises CertificateError for an equality that does not hold."""
-    connections = [
-        observer.at(t) for t in moments("the observer" if observer.varying else "", times, "certified")
-    ]
-    for one in connections:
-        one.require_equalities()
-    return connections
-
-
 def lipschitz(slopes: Slopes, j: FloatArray) -> FloatArray:
     """The L with abs(f(Jw) - f(Jz)) <= abs(L (w - z)); the gamma I of Theorem 3.3.2 is its norm, larger."""
     if slopes is None or not np.isfinite(np.array(slopes)).all():
@@ -343,33 +348,26 @@ def lipschitz(slopes: Slopes, j: FloatArray) -> FloatArray:
     return np.asarray(steepest[:, None] * j, np.float64)
 
 
-def _require_lipschitz(gamma: float, slopes: Slopes, connections: list[Connection]) -> None:
-    """Raise ParameterError for a gamma that f exceeds, by its slopes, at one of the observer's matrices."""
-    for one in connections:
-        least = float(np.linalg.norm(lipschitz(slopes, one.J), 2)) if one.S1.any() else 0.0
-        if gamma < least * (1.0 - NARROWER):
-            raise ParameterError(
-                f"gamma must be at least {least:.6g}, which the slopes of f and J imply, received {gamma:g}; "
-                "leave it out, or pass the slopes of f where they are narrower",
-                field="gamma",
-                value=gamma,
-            )
+def _require_lipschitz(gamma: float, least: float) -> None:
+    """Raise ParameterError for a gamma that f exceeds."""
+    if gamma < least * (1.0 - NARROWER):
+        raise ParameterError(
+            f"gamma must be at least {least:.6g}, which the slopes of f and J imply, received {gamma:g}; "
+            "leave it out, or pass the slopes of f where they are narrower",
+            field="gamma",
+            value=gamma,
+        )
 
 
-def _next(one: Connection, steepest: Any) -> Block:
+def _next(one: Connection, steepest: FloatArray, v: Any) -> FloatArray:
     """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with the terms of the Lipschitz constant."""
     q, k = one.S1.shape
-    share = steepest.T @ steepest if isinstance(steepest, np.ndarray) else steepest**2 * np.eye(q)
     onward = np.hstack([one.S0, one.S1, -np.eye(q)])
-
-    def block(v: Any) -> FloatArray:
-        diagonal = np.zeros((2 * q + k, 2 * q + k))
-        diagonal[:q, :q] = v.Xi - v.P + v.alpha * share
-        diagonal[q : q + k, q : q + k] = -v.alpha * np.eye(k)
-        diagonal[q + k :, q + k :] = -v.Gamma
-        return np.asarray(diagonal + onward.T @ v.P @ onward)
-
-    return block
+    diagonal = np.zeros((2 * q + k, 2 * q + k))
+    diagonal[:q, :q] = v.Xi - v.P + v.alpha * (steepest.T @ steepest)
+    diagonal[q : q + k, q : q + k] = -v.alpha * np.eye(k)
+    diagonal[q + k :, q + k :] = -v.Gamma
+    return np.asarray(diagonal + onward.T @ v.P @ onward)
 
 
 def _start(
@@ -407,30 +405,3 @@ def _start(
     elif sloped:
         values["W"] = scale * given["W"] if "W" in given else cover(p @ one.S1, one.J, slopes)
     return values
-
-
-def _theorem(
-    connections: list[Connection],
-    time: str,
-    slopes: Slopes,
-    gamma: float,
-) -> MatrixInequalities:
-    """The inequalities of the theorem."""
-    if time == "discrete":
-        return theorem_3_3_2(connections, slopes)
-    return theorem_3_3_1(connections, slopes, gamma)
-
-
-def decay_share(decay: float, time: str) -> float:
-    """The share of V that is lost in a unit of time: Xi must exceed so much of P."""
-    return -expm1(-2.0 * decay) if time == "discrete" else 2.0 * decay
-
-
-def _slowest(one: Connection, plant: Persidskii) -> float:
-    """The largest real part (log modulus) at a corner of the slopes; raises unless negative."""
-    corners = [("", one.S0)]
-    if one.S1.any():
-        slopes = vertices(plant.slopes).items()
-        corners = [(f"D = diag({name})", one.S0 + one.S1 @ d @ one.J) for name, d in slopes]
-    theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
-    return require_decay(corners, plant.time, f"Theorem {theorem}: S0 + S1 D J")

@@ -24,12 +24,7 @@ from pointpred_observers.numerics.equalities import (
     summed,
     without_rounding,
 )
-from pointpred_observers.numerics.matrices import (
-    dimensions,
-    instance,
-    matrix,
-    share,
-)
+from pointpred_observers.numerics.matrices import dimensions, instance, matrix, share
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import PlantDocument
 from pointpred_observers.plants.entries import Document, Functions, Rows, entries
@@ -125,27 +120,16 @@ class InvariantObserver(Observer):
 
     def recovery(self, t: float) -> tuple[FloatArray, FloatArray]:
         """X, Y with x = X w + Y y on the invariant solution; raises ParameterError where there are none."""
-        now, plant = self.at(t), self.plant.matrices(t)
-        both = np.vstack([now.Z, plant["C0"]])
-        if plant["C1"].any():
-            raise ParameterError("the state is recovered linearly from w and y, which needs C1 = 0")
-        rank = np.linalg.matrix_rank(both, tol=1e-9 * max(1.0, float(np.abs(both).max())))
-        if rank < self.plant.n:
-            return self._recovery_beside_large_gains(t)
-        inverse = np.linalg.pinv(both)
-        onto, straight = inverse[:, : self.q], inverse[:, self.q :]
-        return np.asarray(onto, np.float64), np.asarray(straight, np.float64)
-
-    def _recovery_beside_large_gains(self, t: float) -> tuple[FloatArray, FloatArray]:
-        """The same from w - Upsilon y = Pi x: beside a large Upsilon C0 rounding takes that of Pi."""
         now, pi, upsilon, _ = self._maps(t)
+        if now["C1"].any():
+            raise ParameterError("the state is recovered linearly from w and y, which needs C1 = 0")
+        # From w - Upsilon y = Pi x: beside a large Upsilon C0 rounding would take that of Pi.
         both = np.vstack([pi, now["C0"]])
-        sizes = np.linalg.norm(both, axis=1, keepdims=True)
-        even = both / np.where(sizes > 0.0, sizes, 1.0)
-        rank = np.linalg.matrix_rank(even, tol=1e-9)
+        sizes = or_one(np.linalg.norm(both, axis=1, keepdims=True))
+        rank = np.linalg.matrix_rank(both / sizes, tol=1e-9)
         if rank < self.plant.n:
             raise ParameterError(f"w and y hold {rank} combinations of the {self.plant.n} states, not all")
-        inverse = np.linalg.pinv(even) / np.where(sizes > 0.0, sizes, 1.0).T
+        inverse = np.linalg.pinv(both / sizes) / sizes.T
         onto = inverse[:, : self.q]
         return onto, inverse[:, self.q :] - onto @ upsilon
 
@@ -156,18 +140,14 @@ class InvariantObserver(Observer):
         """
         plant, now, discrete = self.plant, self.plant.matrices(t), self.plant.time == "discrete"
         onto, straight = self.recovery(t)
-        inputs = plant.m + plant.z
         c, change = now["C0"], np.zeros((plant.p, plant.n))
         if discrete and self.varying:
             c = plant.matrices(t + 1)["C0"]
-        elif "C0" in plant.varying:
-            if "C0" not in self._rates:
-                return (
-                    np.zeros((plant.p, self.q)),
-                    np.zeros((plant.p, plant.k)),
-                    np.zeros((plant.p, plant.p + inputs)),
-                )
+        elif "C0" in self._rates:
             change = matrix("C0'", self._rates["C0"](t), plant.p, plant.n)
+        elif "C0" in plant.varying:
+            v0, v1 = np.zeros((plant.p, self.q)), np.zeros((plant.p, plant.k))
+            return v0, v1, np.zeros((plant.p, plant.p + plant.m + plant.z))
         drift = c @ now["A0"] + change
         driven = c @ np.hstack([now["B"], now["Q"]])
         return drift @ onto, c @ now["A1"], np.hstack([drift @ straight, driven])
@@ -294,11 +274,8 @@ class InvariantObserver(Observer):
         upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
         return now, pi, upsilon, cleared((pi,), (upsilon, now["C0"]), share=NO_DIGIT)
 
+    @np.errstate(all="ignore")  # what overflows is not finite, and refused
     def _connection(self, t: float) -> Connection:
-        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
-            return self._solved(t)
-
-    def _solved(self, t: float) -> Connection:
         now, _, upsilon, z = self._maps(t)
         discrete = self.plant.time == "discrete"
         onward = self._maps(t + 1)[3] if discrete and self.varying else z
