@@ -116,6 +116,9 @@ def theorem_3_3_1(
     def sector(one: Connection, corner: FloatArray, v: Any) -> FloatArray:
         return np.asarray(v.W - symmetric(v.P @ one.S1 @ corner @ one.J))
 
+    def given(s1: FloatArray, f: FloatArray, v: Any) -> FloatArray:
+        return np.asarray(v.P @ s1 - f)
+
     def dissipation(one: Connection, v: Any) -> FloatArray:
         within = 2.0 * v.W if sloped else 0.0
         return np.asarray(symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + within)
@@ -123,8 +126,7 @@ def theorem_3_3_1(
     for i, one in enumerate(connections):
         mark = f" at {i}" if len(connections) > 1 else ""
         if F is not None:
-            s1, f = one.S1, matrix("F", F, q, one.S1.shape[1])
-            problem.equal(f"P S1 - F{mark}", lambda v, s1=s1, f=f: v.P @ s1 - f)
+            problem.equal(f"P S1 - F{mark}", partial(given, one.S1, matrix("F", F, q, one.S1.shape[1])))
         for name, corner in corners.items():
             bound = partial(sector, one, corner)
             problem.above(f"W - sym(F D J), D = diag({name}){mark}", bound, strict=False)

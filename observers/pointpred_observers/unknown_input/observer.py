@@ -39,8 +39,15 @@ from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.search import least_in_both
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, matrices_at, run, sampled, schedule_of
-from pointpred_observers.unknown_input.certificate import UnknownInputCertificate, audit, largest_decay
-from pointpred_observers.unknown_input.gains import ROOMS, discrete_gain, gain, lyapunov
+from pointpred_observers.unknown_input.certificate import (
+    ROOMS,
+    UnknownInputCertificate,
+    audit,
+    discrete_gain,
+    gain,
+    largest_decay,
+    lyapunov,
+)
 from pointpred_observers.unknown_input.stage import UnknownInputSample, UnknownInputStage
 
 OUTPUT_DECAY = 5.0
