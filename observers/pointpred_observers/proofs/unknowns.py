@@ -50,10 +50,8 @@ class Unknown(msgspec.Struct, frozen=True):
             return np.diag(numbers)
         if self.kind == "free":
             return numbers.reshape(self.rows, self.columns)
-        matrix = np.zeros((self.rows, self.rows))
-        above, right = _triangle(self.rows)
-        matrix[above, right] = numbers
-        matrix[right, above] = numbers
+        matrix, (above, right) = np.zeros((self.rows, self.rows)), _triangle(self.rows)
+        matrix[above, right] = matrix[right, above] = numbers
         return matrix
 
     def numbers(self, matrix: Any) -> FloatArray:
@@ -147,19 +145,19 @@ class Unknowns:
         return x0, basis
 
     def _probed(self, name: str, function: Callable[[Any], Any]) -> tuple[FloatArray, FloatArray]:
-        """The constant part and the slopes; only matrices that the function reads are probed."""
-        zero = vars(self.matrices(np.zeros(self.count)))
-        watched = Watched(zero)
-        constant: FloatArray = np.asarray(function(watched), np.float64)
+        """The constant part and the slopes; only matrices that change the function are probed."""
+        zero, start = vars(self.matrices(np.zeros(self.count))), 0
+        constant: FloatArray = np.asarray(function(SimpleNamespace(**zero)), np.float64)
         slopes: FloatArray = np.zeros((self.count, *constant.shape))
-        start = 0
+        point = np.cos(np.arange(1.0, self.count + 1.0))
         for one in self.listed:
-            if one.name in watched.seen:
+            end = start + one.count
+            tried = SimpleNamespace(**{**zero, one.name: one.matrix(point[start:end])})
+            if not np.array_equal(function(tried), constant):
                 for i, unit in enumerate(np.eye(one.count)):
                     at = SimpleNamespace(**{**zero, one.name: one.matrix(unit)})
                     slopes[start + i] = function(at) - constant
-            start += one.count
-        point = np.cos(np.arange(1.0, self.count + 1.0))
+            start = end
         expected = constant + np.tensordot(point, slopes, 1)
         error = np.abs(function(self.matrices(point)) - expected).max(initial=0.0)
         if not np.isfinite(error):
@@ -182,8 +180,7 @@ class Unknowns:
                 start = self.place(one.name)
                 own = largest[start : start + one.count]
                 own[:] = np.maximum(own, one.numbers(self._terms[one.name]))
-        terms: FloatArray = np.abs(constant) + np.tensordot(largest, np.abs(slopes), 1)
-        return terms
+        return np.asarray(np.abs(constant) + np.tensordot(largest, np.abs(slopes), 1))
 
     def computed(self, name: str, terms: FloatArray) -> None:
         """Give the sizes of the terms of a matrix that is computed, of which it may be a small difference."""
@@ -195,19 +192,6 @@ class Unknowns:
         terms = np.abs(constant) + np.tensordot(np.abs(numbers), np.abs(slopes), 1)
         left = np.asarray(block(self.matrices(numbers)), np.float64)
         return np.atleast_2d(left), np.atleast_2d(terms)
-
-
-class Watched:
-    """Matrices as attributes; records which were read."""
-
-    def __init__(self, matrices: dict[str, Any]) -> None:
-        self._matrices, self.seen = matrices, set[str]()
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in self._matrices:
-            raise AttributeError(f"there is no unknown matrix {name!r}, only {sorted(self._matrices)}")
-        self.seen.add(name)
-        return self._matrices[name]
 
 
 def symmetric(name: str, given: Any) -> FloatArray:

@@ -94,9 +94,18 @@ class InvariantObserver(Observer):
         self.plant, self.injection, self.tolerance = plant, injection, share("tolerance", tolerance)
         self._given = {"Pi": Pi, "Upsilon": np.zeros((0, 0)) if Upsilon is None else Upsilon, "B": B}
         self.q = len(matrix("Pi", _at(Pi, 0.0), None, plant.n))
-        self._rates = dict(instance("rates", {} if rates is None else rates, dict))
+        self._rates: dict[str, Any] = instance("rates", {} if rates is None else rates, dict)
         self.varying = bool(plant.varying) or any(callable(one) for one in self._given.values())
-        self._check_rates()
+        moving = {name for name in ("Pi", "Upsilon") if callable(self._given[name])}
+        if "C0" in plant.varying and not _empty(self._given["Upsilon"]):
+            moving.add("C0")
+        if foreign := set(self._rates) - {"Pi", "Upsilon", "C0"}:
+            raise ParameterError(f"rates may name Pi, Upsilon and C0, received {sorted(foreign)}")
+        missing = moving - set(self._rates)
+        if missing and plant.time == "continuous":
+            raise ParameterError(
+                f"{', '.join(sorted(missing))} vary in continuous time: give their derivatives in rates"
+            )
         self._latest = 0.0, self._connection(0.0)
 
     def at(self, t: float) -> Connection:
@@ -144,7 +153,7 @@ class InvariantObserver(Observer):
         if discrete and self.varying:
             c = plant.matrices(t + 1)["C0"]
         elif "C0" in self._rates:
-            change = matrix("C0'", self._rates["C0"](t), plant.p, plant.n)
+            change = self._rate("C0", t)
         elif "C0" in plant.varying:
             v0, v1 = np.zeros((plant.p, self.q)), np.zeros((plant.p, plant.k))
             return v0, v1, np.zeros((plant.p, plant.p + plant.m + plant.z))
@@ -213,11 +222,10 @@ class InvariantObserver(Observer):
             h = plant.matrices(t)["H"]
             return h @ onto, h @ straight
 
+        still = np.zeros((inputs, self.q)), np.zeros((inputs, plant.k)), stay
         missing = MissingInputs(
             (False,) * m,
-            below(0, np.zeros((inputs, self.q))),
-            below(1, np.zeros((inputs, plant.k))),
-            below(2, stay),
+            *(below(part, rest) for part, rest in enumerate(still)),
             np.concatenate([plant.C0 @ guess, np.zeros(inputs)]),
         )
         return PersidskiiStage(
@@ -281,7 +289,9 @@ class InvariantObserver(Observer):
         onward = self._maps(t + 1)[3] if discrete and self.varying else z
         change = onward @ now["A0"]
         if not discrete:
-            change = change + self._rate(t, now, upsilon)
+            # Z' = Pi' + Upsilon' C0 + Upsilon C0'
+            change = change + self._rate("Pi", t) + self._rate("Upsilon", t) @ now["C0"]
+            change = change + upsilon @ self._rate("C0", t)
         given, both = self._given["B"], np.vstack([z, now["C0"]])
         if given is None:
             s0, b = np.split(_right(both, change), [self.q], axis=1)
@@ -312,40 +322,22 @@ class InvariantObserver(Observer):
             if residual > self.tolerance * size:
                 raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
         # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
-        units, before_f = column_units(both), {"Upsilon C1": upsilon, "R C1": r}
-        shares = {
-            name: _share_before_f(before_f[name], now["C0"], now["C1"])
-            if name in before_f
-            else share_of_terms(*one, units)
-            for name, one in left.items()
-        }
+        units = column_units(both)
+        shares = {name: share_of_terms(*one, units) for name, one in left.items()}
+        for name, gain in (("Upsilon C1", upsilon), ("R C1", r)):
+            shares[name] = _share_before_f(gain, now["C0"], now["C1"])
         free = given is None and np.linalg.matrix_rank(both) < self.q + self.plant.p
         inputs = onward @ np.hstack([now["B"], now["Q"]])
         return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward, shares)
 
-    def _rate(self, t: float, now: dict[str, FloatArray], upsilon: FloatArray) -> FloatArray:
-        """Z' = Pi' + Upsilon' C0 + Upsilon C0', from the derivatives passed."""
-        total = np.zeros((self.q, self.plant.n))
-        if "Pi" in self._rates:
-            total += matrix("Pi'", self._rates["Pi"](t), self.q, self.plant.n)
-        if "Upsilon" in self._rates:
-            total += matrix("Upsilon'", self._rates["Upsilon"](t), self.q, self.plant.p) @ now["C0"]
-        if "C0" in self._rates:
-            total += upsilon @ matrix("C0'", self._rates["C0"](t), self.plant.p, self.plant.n)
-        return total
-
-    def _check_rates(self) -> None:
-        moving = {name for name in ("Pi", "Upsilon") if callable(self._given[name])}
-        if "C0" in self.plant.varying and not _empty(self._given["Upsilon"]):
-            moving.add("C0")
-        foreign = set(self._rates) - {"Pi", "Upsilon", "C0"}
-        if foreign:
-            raise ParameterError(f"rates may name Pi, Upsilon and C0, received {sorted(foreign)}")
-        missing = moving - set(self._rates)
-        if missing and self.plant.time == "continuous":
-            raise ParameterError(
-                f"{', '.join(sorted(missing))} vary in continuous time: give their derivatives in rates"
-            )
+    def _rate(self, name: str, t: float) -> FloatArray:
+        """The derivative of Pi, Upsilon or C0, zero where none was passed."""
+        rows, columns = (self.plant.p if name == "C0" else self.q), self.plant.n
+        if name == "Upsilon":
+            columns = self.plant.p
+        if name not in self._rates:
+            return np.zeros((rows, columns))
+        return matrix(f"{name}'", self._rates[name](t), rows, columns)
 
 
 class InvariantDocument(Document, tag="invariant observer", frozen=True):

@@ -19,6 +19,7 @@ from pointpred.records import FloatArray
 from pointpred_observers.numerics.matrices import positive
 from pointpred_observers.plants.zeros import kernel
 from pointpred_observers.proofs.bounds import ErrorBound, proved_bound
+from pointpred_observers.proofs.decay import dissipation
 from pointpred_observers.proofs.definite import LEAST_POSITIVE, least
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.stationary import decay_start, filter_start
@@ -119,16 +120,8 @@ def inequality(
     which the paper does not have, it is V(e+) - exp(-2 decay) V(e) - delta'F delta with e+ = N e + T delta,
     N = T A - K C. With ``sign`` 1 and absolute values it is the size of each entry's terms.
     """
-    n = len(p)
-    if time == "discrete":
-        onward = np.hstack([n_i, t_i])
-        whole: FloatArray = onward.T @ p @ onward
-        whole[:n, :n] += sign * exp(-2.0 * decay) * p
-    else:
-        half, side = p @ n_i, p @ t_i
-        whole = np.block([[half + half.T + 2.0 * decay * p, side], [side.T, np.zeros_like(force)]])
-    whole[n:, n:] += sign * force
-    return whole
+    share = sign * exp(-2.0 * decay) if time == "discrete" else 2.0 * decay
+    return dissipation(n_i, t_i, p, share * p, sign * force, time)
 
 
 def audit(

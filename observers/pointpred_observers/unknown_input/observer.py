@@ -28,11 +28,7 @@ from pointpred_observers.plants.entries import (
     matrices_of,
     plain,
 )
-from pointpred_observers.plants.varying import (
-    CornerSystem,
-    ParameterVaryingSystem,
-    invariant_zeros,
-)
+from pointpred_observers.plants.varying import CornerSystem, ParameterVaryingSystem, invariant_zeros
 from pointpred_observers.plants.zeros import independent, kernel
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
@@ -132,7 +128,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
             output_decay = OUTPUT_DECAY / natural_seconds
         rate: float = output_decay
 
-        def designed(units: Coordinates) -> Any:
+        def designed(units: Coordinates) -> Self:
             x, y, t = units.states, units.outputs, units.seconds
             inner = np.array([inward(one, x, x, t) for one in gammas])
             inner_ts = np.array([inward(one, x, x) for one in ts])
@@ -141,30 +137,25 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
             failure = None
             for room in ROOMS:
                 p, gamma, gap = lyapunov(inner, inner_ts, c, decay * t, room, system.time)
-                if discrete:
-                    found = [discrete_gain(one, c, p) for one in inner]
-                else:
-                    found = [
-                        gain(one, on, c, p, gamma, decay * t, rate * t)
-                        for one, on in zip(inner, inner_ts, strict=True)
-                    ]
+                found = [
+                    discrete_gain(one, c, p) if discrete else gain(one, on, c, p, gamma, decay * t, rate * t)
+                    for one, on in zip(inner, inner_ts, strict=True)
+                ]
                 ks = np.array([outward(one @ rows.T, x, y, t) for one in found])
                 # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
                 form = np.outer(x, x)
                 p, force = 0.5 * (p + p.T) / form, gamma * np.eye(len(p)) / form * t
                 try:
                     proof = audit(gammas, ts, system.c, p, ks, force, decay, zeros, system.time)
+                    return cls(system, box, ks, msgspec.structs.replace(proof, gap=gap))
                 except CertificateError as edge:
                     failure = edge
-                    continue
-                return cls(system, box, ks, msgspec.structs.replace(proof, gap=gap))
             raise UndecidedError(
                 f"the invariant zeros allow a decay of {decay:g}, but too closely: choose a smaller decay "
                 f"or a smaller box ({failure})"
             ) from failure
 
-        found: Self = least_in_both(units, designed)
-        return found
+        return least_in_both(units, designed)
 
     @classmethod
     def certified(
@@ -275,10 +266,9 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         outputs = setting.measured(state @ system.c.T)
         running = self.stage(setting.begin(n, "estimate", 0.0))
         inputs, unknown = sampled(b, times), sampled(d, times)
-        estimate, found = np.empty_like(state), np.full_like(unknown, np.nan)
-        for i, t in enumerate(times.tolist()):
-            answer = running.update(UnknownInputSample(t, outputs[i], inputs[i], partial(schedule, t)))
-            estimate[i], found[i] = answer.x, answer.d
+        samples = zip(times.tolist(), outputs, inputs, strict=True)
+        answers = [running.update(UnknownInputSample(t, y, u, partial(schedule, t))) for t, y, u in samples]
+        estimate, found = np.array([one.x for one in answers]), np.array([one.d for one in answers])
         none = np.zeros((len(times), 0))
         return Simulation(
             times, state, estimate, outputs, inputs, tuple(f"x{i + 1}" for i in range(n)),
@@ -362,16 +352,12 @@ def _refuse(box: Box, zeros: NDArray[np.complex128], decay: float, time: str) ->
         return
     sizes = np.abs(zeros) if discrete else zeros.real
     vertex = int(sizes.max(axis=1).argmax())
-    value, unit = number_text(zeros[vertex][sizes[vertex].argmax()]), "1/step" if discrete else "1/s"
-    place = f"the invariant zero {value}{'' if discrete else ' 1/s'} at {box.corners[vertex]} must "
-    needed = (
-        f"have a modulus below exp(-decay) = {exp(-decay):g}"
-        if discrete
-        else f"lie below -decay = {-decay:g} 1/s"
-    )
-    end = (
-        f"the largest feasible decay is below {most:.6g} {unit}"
-        if most > 0.0
-        else "no decay above 0 is feasible in this box"
-    )
-    raise InfeasibleError(f"{place}{needed}: {end}")
+    value = number_text(zeros[vertex][sizes[vertex].argmax()])
+    unit, of_zero, needed = "1/s", " 1/s", f"lie below -decay = {-decay:g} 1/s"
+    if discrete:
+        unit, of_zero, needed = "1/step", "", f"have a modulus below exp(-decay) = {exp(-decay):g}"
+    end = f"the largest feasible decay is below {most:.6g} {unit}"
+    if most <= 0.0:
+        end = "no decay above 0 is feasible in this box"
+    place = f"the invariant zero {value}{of_zero} at {box.corners[vertex]}"
+    raise InfeasibleError(f"{place} must {needed}: {end}")

@@ -337,7 +337,14 @@ class UnknownInputStage:
         g, after = system.c @ system.f(point), None
         with suppress(KeyError):  # of a system that gives T A, A may need more variables
             after = system.c @ (system.a(point) @ x + sample.known)
-        d, spread = self._reconstructed(after, g, old, sample)
+        known, g_before = self._motion
+        d = spread = np.full(g.shape[1], np.nan)
+        if old is not None and known is not None and after is not None:
+            if system.time == "discrete":
+                d, spread = self.reconstruction.update(known, g_before, 1.0, old.y, sample.y)
+            else:
+                middle, mean = 0.5 * (known + after), 0.5 * (g_before + g)
+                d, spread = self.reconstruction.update(middle, mean, sample.t - old.t, old.y, sample.y)
         self._x, self._last, self._whole, self._motion = x, sample, whole, (after, g)
         return UnknownInputEstimate(sample.t, x, certified, d, spread)
 
@@ -367,7 +374,7 @@ class UnknownInputStage:
         ends[0, :outputs], ends[0, outputs:] = old.y, old.known
         ends[1, :outputs], ends[1, outputs:] = new.y, new.known
         self._mixed(old, old, 0.0, x)
-        space[STAGE] = x + self._e() @ old.y
+        space[STAGE] = x + self._parts()[2] @ old.y
         for i in range(steps):
             for part, inner in enumerate((0.0, 0.5, 0.5, 1.0)):
                 s = (i + inner) / steps
@@ -382,18 +389,18 @@ class UnknownInputStage:
         estimated(self._block, self._ends, s, self._space)
         return np.array(self._space[ESTIMATE])
 
-    def _e(self) -> FloatArray:
+    def _parts(self) -> list[FloatArray]:
+        """Gamma, K, E and T."""
         outputs, n = self.design.system.c.shape
-        return np.asarray(self._block[n * (n + outputs) : n * (n + 2 * outputs)].reshape(n, outputs))
+        parts = np.split(self._block, np.cumsum([n * n, n * outputs, n * outputs]))
+        return [part.reshape(n, -1) for part in parts]
 
     def _onward(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
         """The next estimate of a discrete system, by E and T of the step that ends there."""
-        outputs, n = self.design.system.c.shape
         self._mixed(old, old, 0.0, x)
-        gamma, k, _, t = np.split(self._block, np.cumsum([n * n, n * outputs, n * outputs]))
-        z = gamma.reshape(n, n) @ x + t.reshape(n, n) @ old.known
-        z += k.reshape(n, outputs) @ (old.y - self.design.system.c @ x)
-        return np.asarray(z - self._e() @ new.y, np.float64)
+        gamma, k, e, t = self._parts()
+        z = gamma @ x + t @ old.known
+        return np.asarray(z + k @ (old.y - self.design.system.c @ x) - e @ new.y, np.float64)
 
     def _bridged(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
         """The estimate at the next sample by the model, corrected along F by the measured outputs."""
@@ -429,22 +436,6 @@ class UnknownInputStage:
         inverse = np.linalg.pinv(system.c[seen] @ f, rcond=SINGULAR)
         return np.asarray(x + f @ inverse @ (new.y - system.c @ x)[seen], np.float64)
 
-    def _reconstructed(
-        self,
-        after: FloatArray | None,
-        g_after: FloatArray,
-        old: UnknownInputSample | None,
-        new: UnknownInputSample,
-    ) -> tuple[FloatArray, FloatArray]:
-        """The unknown input of the interval, from C (A x + b), if known, and C F at its ends."""
-        known, g = self._motion
-        if old is None or known is None or after is None:
-            none = np.full(g_after.shape[1], np.nan)
-            return none, none
-        if self.design.system.time == "continuous":
-            known, g = 0.5 * (known + after), 0.5 * (g + g_after)
-        return self.reconstruction.update(known, g, new.t - old.t, old.y, new.y)
-
     def _checked(self, sample: UnknownInputSample) -> UnknownInputSample:
         if not isinstance(sample, UnknownInputSample):
             raise EventError(
@@ -468,7 +459,7 @@ class UnknownInputStage:
         if self._last is not None and discrete and sample.t - self._last.t != 1.0:
             raise EventError(
                 f"the sample at index {sample.t:g} comes after index {self._last.t:g}, a sample is one step: "
-                "give a sample without measurements, y=None, for each missing index, or reset the stage",
+                "give a sample with y=None for each missing index, or reset the stage",
                 field="t",
                 value=sample.t,
             )
