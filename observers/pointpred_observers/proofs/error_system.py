@@ -54,14 +54,13 @@ class ErrorSystem(msgspec.Struct, frozen=True):
                 f"received {a.shape} and {b.shape}",
                 field="A",
             )
-        for name, value in (("A", a), ("B", b), ("C", matrix("C", self.C, None, a.shape[1]))):
+        c, names = matrix("C", self.C, None, a.shape[1]), tuple(listed("names", self.names))
+        for name, value in (("A", a), ("B", b), ("C", c), ("names", names)):
             msgspec.structs.force_setattr(self, name, value)
-        names = tuple(listed("names", self.names))
         if len(names) != len(a):
             raise ParameterError(
                 f"names must be {len(a)}, one for each corner, received {names!r}", field="names"
             )
-        msgspec.structs.force_setattr(self, "names", names)
         widths = list(instance("disturbances", self.disturbances, dict).values())
         if not all(is_number(one) and one == int(one) >= 0 for one in widths) or sum(widths) != b.shape[2]:
             raise ParameterError(
@@ -94,9 +93,9 @@ class ErrorSystem(msgspec.Struct, frozen=True):
             raise ParameterError(
                 f"the disturbances are {', '.join(places)}, received {', '.join(names) or 'none'}"
             )
-        columns = np.concatenate([np.arange(self.B.shape[2])[places[name]] for name in names])
+        b = np.concatenate([self.B[:, :, places[name]] for name in names], axis=2)
         widths = {name: self.disturbances[name] for name in names}
-        return msgspec.structs.replace(self, B=self.B[:, :, columns], disturbances=widths)
+        return msgspec.structs.replace(self, B=b, disturbances=widths)
 
     def inward(self, units: Coordinates) -> ErrorSystem:
         """The same system with its states and time in these units."""
@@ -138,9 +137,8 @@ def sloped_system(
     """The error system e' = A e + F (f(s + H e + R delta) - f(s)) + B delta for every f with these slopes.
 
     By the mean value theorem the difference is D (H e + R delta) with D diagonal between the slopes.
-    ``through`` are the R of some of the disturbances. ``domain`` bounds the arguments within which the slopes
-    hold: the system has it wherever f matters, also where the bounds of a slope are equal. Raises
-    ParameterError where f matters and its slopes are missing or not bounded.
+    ``through`` are the R of some of the disturbances. The slopes hold within ``domain``: the system has it
+    wherever f matters. Raises ParameterError where f matters and its slopes are missing or not bounded.
 
     >>> system = sloped_system(
     ...     -np.eye(1), np.ones((1, 1)), np.eye(1), {"d": np.eye(1)}, slopes=((0.0, 0.5),), time="continuous"

@@ -262,67 +262,59 @@ class MatrixInequalities:
         if not self.blocks:
             raise ParameterError(f"{self.name}: needs at least one inequality, received none")
         if minimise is None:
-            return self._solution(self._search(None, near)[0], None, None)
-        best = self._minimum(self._numbers(minimise, EASY), minimise)
-        if best is not None:
-            return best
-        numbers, problem = self._search(minimise, near)
-        start = self._solution(numbers, minimise, np.inf)
-        return self._minimum(problem, minimise, (start, numbers)) or start
+            return self._solution(self._search(None, near)[0])
+        best = self._minimum(self._numbers(minimise, EASY), minimise, None)
+        if best is None:
+            numbers, problem = self._search(minimise, near)
+            best = self._minimum(problem, minimise, numbers)
+        assert best is not None
+        return best
 
-    def _minimum(
-        self,
-        problem: Affine,
-        minimise: Block,
-        start: tuple[Solution, FloatArray] | None = None,
-    ) -> Solution | None:
-        """The solution of the least objective, if any; the numbers of ``start`` set the scale."""
-        best, numbers = (None, None) if start is None else start
-        bound = -np.inf
+    def _minimum(self, problem: Affine, minimise: Block, start: FloatArray | None) -> Solution | None:
+        """The solution of the least objective, if any; ``start`` satisfies the inequalities."""
+
+        def value(numbers: FloatArray | None) -> float:
+            return np.inf if numbers is None else float(minimise(self.unknowns.matrices(numbers)))
+
+        def smaller(answer: Answer) -> FloatArray | None:
+            found = answer.numbers
+            passes = found is not None and self._passes(found) and value(found) < value(best)
+            return found if passes else best
+
+        bound, best, near = -np.inf, start, start
         for share in FINER:
-            answer = answered(problem, share * MARGIN, numbers)
-            best, numbers = self._smaller(answer, minimise, best, numbers)
-            if best is None:
-                if answer.numbers is None:
-                    return None
-                numbers = answer.numbers  # wrong, but of the right size
-                continue
-            least = _value(best)
-            bound = max(bound, least_objective(problem, answer.multipliers, EASY, least - GAP * abs(least)))
-            best = msgspec.structs.replace(best, gap=_gap(least, bound))
-            if _gap(least, bound) <= GAP:
-                break
-        if best is None or numbers is None or _gap(_value(best), bound) <= WIDE:
-            return best
-        # A smaller objective by bisection, for a minimum at which the solver stalls.
-        low = bound
-        for _ in range(HALVINGS):
-            high = _value(best)
-            if high <= 0.0 or _gap(high, low) <= GAP:
-                break
-            cap = np.sqrt(low * high) if low > 1e-6 * high else 1e-3 * high
-            for near in (numbers, None):
-                answer = answered(capped(problem, cap), None, near)
-                best, numbers = self._smaller(answer, minimise, best, numbers)
-                if _value(best) < high:
+            answer = answered(problem, share * MARGIN, near)
+            best = smaller(answer)
+            if best is not None:
+                least = value(best)
+                enough = least - GAP * abs(least)
+                bound = max(bound, least_objective(problem, answer.multipliers, EASY, enough))
+                if _gap(least, bound) <= GAP:
                     break
-            else:
-                low = cap
-        answer = answered(problem, FINER[1] * MARGIN, numbers)
-        best, _ = self._smaller(answer, minimise, best, numbers)
-        bound = max(bound, least_objective(problem, answer.multipliers, EASY))
-        least_found: Solution = msgspec.structs.replace(best, gap=_gap(_value(best), bound))
-        return least_found
-
-    def _smaller(
-        self, answer: Answer, minimise: Block, best: Any, numbers: FloatArray | None
-    ) -> tuple[Any, FloatArray | None]:
-        """The solution and the numbers of an answer if it passes and is smaller than ``best``, else those."""
-        if answer.numbers is not None and self._passes(answer.numbers):
-            solution = self._solution(answer.numbers, minimise, np.inf)
-            if best is None or _value(solution) < _value(best):
-                return solution, answer.numbers
-        return best, numbers
+            elif answer.numbers is None:
+                return None
+            near = answer.numbers if best is None else best  # wrong, but of the right size
+        if best is None:
+            return None
+        if _gap(value(best), bound) > WIDE:
+            # A smaller objective by bisection, for a minimum at which the solver stalls.
+            low = bound
+            for _ in range(HALVINGS):
+                high = value(best)
+                if high <= 0.0 or _gap(high, low) <= GAP:
+                    break
+                cap = np.sqrt(low * high) if low > 1e-6 * high else 1e-3 * high
+                for near in (best, None):
+                    best = smaller(answered(capped(problem, cap), None, near))
+                    if value(best) < high:
+                        break
+                else:
+                    low = cap
+            answer = answered(problem, FINER[1] * MARGIN, best)
+            best = smaller(answer)
+            bound = max(bound, least_objective(problem, answer.multipliers, EASY))
+        assert best is not None
+        return self._solution(best, value(best), _gap(value(best), bound))
 
     def _search(self, minimise: Block | None, near: Mapping[str, Any] | None) -> tuple[FloatArray, Affine]:
         """Numbers that satisfy the inequalities, and the problem whose kappa they keep; raises if none do."""
@@ -403,7 +395,7 @@ class MatrixInequalities:
 
     def _numbers(self, minimise: Block | None, kappa: float) -> Affine:
         """The problem as numbers, with P below ``kappa`` I."""
-        strict, floors, caps, positive = [], [], [], []
+        strict, floors, caps, positive, listed = [], [], [], [], self.unknowns.listed
         for name, block in self.blocks.items():
             constant, slopes = self.unknowns.coefficients(name, block)
             if constant.size:
@@ -412,13 +404,15 @@ class MatrixInequalities:
             constant, slopes = self.unknowns.coefficients(name, attrgetter(name))
             floors.append((np.eye(rows) - constant, -slopes))
             caps.append(((constant - kappa * np.eye(rows)) / kappa, slopes / kappa))
-            positive.append((self.unknowns.place(name), rows))
+            at = next(at for one, at in listed.items() if one.name == name)
+            positive.append((at.start, rows))
         objective = None
         if minimise is not None:
             objective = self.unknowns.coefficients("the objective", minimise)[1].reshape(-1)
         x0, basis = self.unknowns.equalities(self._equalities)
         blocks = [*strict, *floors, *caps]
-        return Affine(blocks, len(strict), x0, basis, self.unknowns.lows(), objective, positive)
+        lows = np.concatenate([np.full(at.stop - at.start, one.low) for one, at in listed.items()])
+        return Affine(blocks, len(strict), x0, basis, lows, objective, positive)
 
     def _passes(self, numbers: FloatArray) -> bool:
         """Whether numbers pass the audit; those whose rounding makes a block unsymmetric do not."""
@@ -428,18 +422,15 @@ class MatrixInequalities:
             return False
         return all(self._holds(name, *one, edge=0.0) for name, one in audited.items())
 
-    def _solution(self, numbers: FloatArray, minimise: Block | None, gap: float | None) -> Solution:
-        named = self.unknowns.matrices(numbers)
-        objective = None if minimise is None else float(minimise(named))
-        return Solution(vars(named), self.margins(vars(named)), objective, gap)
+    def _solution(
+        self, numbers: FloatArray, objective: float | None = None, gap: float | None = None
+    ) -> Solution:
+        values = vars(self.unknowns.matrices(numbers))
+        return Solution(values, self.margins(values), objective, gap)
 
 
 def _gap(objective: float, bound: float) -> float:
     return float(max(0.0, objective - bound) / max(abs(objective), 1e-300))
-
-
-def _value(solution: Solution) -> float:
-    return np.inf if solution.objective is None else solution.objective
 
 
 def check(

@@ -65,8 +65,8 @@ def search(
         except (CertificateError, np.linalg.LinAlgError) as failure:
             # They passed in the units of the search: a CertificateError is for matrices of others.
             raise UndecidedError(
-                f"{failure}; the matrices of this design lie too close to the edge for the arithmetic, which "
-                "proves nothing: require less decay, or measure more states"
+                f"{failure}; that is too close to the edge for the arithmetic, which proves nothing: require "
+                "less decay, or measure more states"
             ) from failure
 
     return least_in_both(units, attempt, size, little)
@@ -78,11 +78,11 @@ def least_in_both(
     size: Callable[[T], Any] | None = None,
     little: float = LITTLE,
 ) -> T:
-    """What ``attempt`` finds in balanced units, or in the user's where that is smaller by more than a little.
+    """What ``attempt`` finds in balanced units, or in the user's where that is smaller by ``little``.
 
-    ``size`` is a logarithm, or several, all of which must be smaller by ``little``; without it the user's
-    units are tried only where the balanced ones fail. Where both fail it raises what ``attempt`` raised in
-    balanced units, InfeasibleError only where both did.
+    ``size`` is a logarithm, or several, all of which must be smaller; without it the user's units are tried
+    only where the balanced ones fail. Where both fail it raises what ``attempt`` raised in balanced units,
+    InfeasibleError only where both did.
     """
     found, failures = [], []
     for one in (units, units.plain):
@@ -106,12 +106,8 @@ def at_decay(
     slowest: float,
     time: str,
     attempt: Callable[[float], T],
-    name: Callable[[float], str] = "decay = {:g}".format,
 ) -> T:
-    """What ``attempt`` finds at ``decay``, or at the largest share of the slowest corner's that has any.
-
-    ``name`` says in a refusal what was required, to which the unit is added.
-    """
+    """What ``attempt`` finds at ``decay``, or at the largest share of the slowest corner's that has any."""
     tried = [-share * slowest for share in SHARES] if decay is None else [decay]
     for one in tried:
         try:
@@ -119,7 +115,7 @@ def at_decay(
         except (InfeasibleError, UndecidedError) as failure:
             if one == tried[-1]:
                 unit = "1/step" if time == "discrete" else "1/s"
-                raise type(failure)(f"{failure}; with {name(one)} {unit}") from failure
+                raise type(failure)(f"{failure}; with decay = {one:g} {unit}") from failure
     raise AssertionError
 
 

@@ -51,8 +51,8 @@ def decay_start(a: FloatArray, decay: float, time: str) -> FloatArray | None:
         try:
             if time == "discrete":
                 return normal(solve_discrete_lyapunov(np.exp(decay) * a.T, one))
-            p: FloatArray = np.asarray(solve_continuous_lyapunov((a + decay * one).T, -one), np.float64)
-            return normal(p)
+            p = solve_continuous_lyapunov((a + decay * one).T, -one)
+            return normal(np.asarray(p, np.float64))
         except (np.linalg.LinAlgError, ValueError):
             return None
 

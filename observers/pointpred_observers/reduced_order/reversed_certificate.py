@@ -178,10 +178,9 @@ def certify_convergence(
 ) -> Convergence:
     """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
 
-    Assumes one P for all times; if matrices vary, ``times`` are required and only these are certified, not
-    the times between them. Theorem 3.3.2 uses only the Lipschitz constant of the nonlinearity: a steep f is
-    refused although it may help. Takes the P of least condition number (in discrete time, with a small
-    Gamma).
+    Assumes one P for all times; if matrices vary, ``times`` are required and only these are certified.
+    Theorem 3.3.2 uses only the Lipschitz constant of f: a steep f is refused although it may help. Takes the
+    P of least condition number (in discrete time, with a small Gamma).
 
     Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; by default
     a fraction of the slowest corner's; ``gamma`` of Theorem 3.3.1 in 1/s, > 0, by default ``decay``.
@@ -262,11 +261,7 @@ def certify_convergence(
         )
         return search(units, posed, audited, lambda one: 0.5 * float(np.log(np.linalg.cond(one.values["P"]))))
 
-    def required(rate: float) -> str:
-        unit = "1/step" if plant.time == "discrete" else "1/s"
-        return f"decay = {rate:g} {unit} and gamma = {gamma or rate:g}"
-
-    return at_decay(decay, slowest, plant.time, certified, required)
+    return at_decay(decay, slowest, plant.time, certified)
 
 
 def certified_convergence(

@@ -222,10 +222,11 @@ class InvariantObserver(Observer):
             h = plant.matrices(t)["H"]
             return h @ onto, h @ straight
 
-        still = np.zeros((inputs, self.q)), np.zeros((inputs, plant.k)), stay
         missing = MissingInputs(
             (False,) * m,
-            *(below(part, rest) for part, rest in enumerate(still)),
+            below(0, np.zeros((inputs, self.q))),
+            below(1, np.zeros((inputs, plant.k))),
+            below(2, stay),
             np.concatenate([plant.C0 @ guess, np.zeros(inputs)]),
         )
         return PersidskiiStage(
@@ -322,10 +323,9 @@ class InvariantObserver(Observer):
             if residual > self.tolerance * size:
                 raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
         # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
-        units = column_units(both)
-        shares = {name: share_of_terms(*one, units) for name, one in left.items()}
-        for name, gain in (("Upsilon C1", upsilon), ("R C1", r)):
-            shares[name] = _share_before_f(gain, now["C0"], now["C1"])
+        units, gains = column_units(both), {"Upsilon C1": upsilon, "R C1": r}
+        shares = {name: share_of_terms(*one, units) for name, one in left.items() if name not in gains}
+        shares |= {name: _share_before_f(one, now["C0"], now["C1"]) for name, one in gains.items()}
         free = given is None and np.linalg.matrix_rank(both) < self.q + self.plant.p
         inputs = onward @ np.hstack([now["B"], now["Q"]])
         return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward, shares)

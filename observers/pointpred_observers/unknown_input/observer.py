@@ -128,7 +128,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
             output_decay = OUTPUT_DECAY / natural_seconds
         rate: float = output_decay
 
-        def designed(units: Coordinates) -> Self:
+        def designed(units: Coordinates) -> Any:
             x, y, t = units.states, units.outputs, units.seconds
             inner = np.array([inward(one, x, x, t) for one in gammas])
             inner_ts = np.array([inward(one, x, x) for one in ts])
@@ -155,7 +155,8 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
                 f"or a smaller box ({failure})"
             ) from failure
 
-        return least_in_both(units, designed)
+        found: Self = least_in_both(units, designed)
+        return found
 
     @classmethod
     def certified(

@@ -242,7 +242,7 @@ class InputReconstruction:
 
 def _sizes(name: str, given: Any, count: int | None) -> FloatArray:
     """Numbers above 0, one or ``count``."""
-    sizes = matrix(name, given, 1)[0]
+    sizes: FloatArray = matrix(name, given, 1)[0]
     if (sizes <= 0.0).any():
         raise ParameterError(f"{name} must lie above 0, received {given!r}", field=name, value=given)
     if count is not None and len(sizes) not in (1, count):
@@ -459,7 +459,7 @@ class UnknownInputStage:
         if self._last is not None and discrete and sample.t - self._last.t != 1.0:
             raise EventError(
                 f"the sample at index {sample.t:g} comes after index {self._last.t:g}, a sample is one step: "
-                "give a sample with y=None for each missing index, or reset the stage",
+                "give a sample without measurements, y=None, for each missing index, or reset the stage",
                 field="t",
                 value=sample.t,
             )
