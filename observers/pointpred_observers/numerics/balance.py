@@ -19,12 +19,10 @@ STEP_MOST = 4.0
 
 
 class Coordinates(msgspec.Struct, frozen=True):
-    """The units of the balanced equation, each in the user's.
+    """The units of the balanced equation, each in the user's: e = ``states`` e~, t = ``seconds`` t~.
 
     ``states`` of the error (q), ``outputs`` (p), ``values`` of f (k), ``arguments`` of f (r), and the unit of
     time, ``seconds``, 1 in discrete time.
-
-    A quantity in the user's units is its unit times the balanced one: e = ``states`` e~, t = ``seconds`` t~.
     """
 
     states: FloatArray
@@ -86,16 +84,13 @@ def balanced(
     count. ``rates`` in 1/s, such as a required decay, are entries as well.
 
     Minimises the sum of m - log m over the entries m other than 0 (their distance from 1 after Itakura and
-    Saito) over all positive units. In the logarithms of the units it is convex and grows without bound in
-    every direction that changes an entry, also for a reducible matrix, so the balanced entries are unique:
-    the same whatever units were given. Units that no entry depends on stay as near to 1 as possible.
+    Saito) over all positive units: convex in their logarithms, with a unique minimum also for a reducible
+    matrix, whatever units were given. Units that no entry depends on stay as near to 1 as possible.
 
-    Only what needs a coupling is scaled by it. Each output has the states that it shows best, by the largest
-    entries in the user's units. An entry between states of different outputs counts only where these act on
-    each other, or where it lies above 1 otherwise: a weak coupling of two plants, each seen by its own
-    output, would else move their units apart by as much, and the gains with them. With one output, or none,
-    every entry counts. ``moved``, the matrix of inputs, does the same for a feedback; its own entries are not
-    balanced.
+    Each output has the states that it shows best, by the largest entries in the user's units. An entry
+    between states of different outputs counts only where these act on each other, or where it lies above 1
+    otherwise: a weak coupling of two plants would else move their units apart, and the gains with them.
+    ``moved``, the matrix of inputs, does the same for a feedback; its own entries are not balanced.
 
     In discrete time the unit of time is the step. There, and if ``plain``, f and its arguments keep theirs:
     theorems 3.3.2 and 3.2.3 weigh all components of f alike.

@@ -245,9 +245,9 @@ def gain_inequalities(system: ErrorSystem, gain: Any = None) -> MatrixInequaliti
 def l2_gain(system: ErrorSystem) -> L2Gain:
     """The L2 gain from the disturbances to z, from below and from above.
 
-    Assumes one P for all corners: with several, ``upper`` may lie above the true gain. Units matter: the
-    gain is that of the Euclidean norms of delta and z in the units of the matrices; ``disturbed_by`` and
-    ``seen_as`` choose others.
+    Assumes one P for all corners: with several, ``upper`` may lie above the true gain. The gain is that of
+    the Euclidean norms of delta and z in the units of the matrices; ``disturbed_by`` and ``seen_as`` choose
+    others.
 
     Raises InfeasibleError naming an eigenvalue that does not decay; UndecidedError and CertificateError from
     the solver.

@@ -103,7 +103,6 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
 
         Continuous: the inequality of Theorem 3.3.1 with Xi = 2 ``decay`` P, linear in P, P Upsilon and W; of
         all Upsilon one with small Upsilon'P Upsilon. gamma is ``decay``, or, if none exists then, 1 % of it.
-        The certificate is then computed separately.
 
         Parameters: ``Pi`` (n - p, n), by default a basis of the unmeasured part, and where rounding leaves
         the design undecided in it, one whose axes are those of a stationary filter; ``decay`` of the error in

@@ -187,8 +187,7 @@ def lyapunov(
 
     The gains drop out (elimination lemma; in discrete time ``discrete_gain`` needs no more). If C T = 0, the
     outputs' part of P drops out as well and is set to the identity; vertices that differ only in terms that a
-    gain can cancel share one inequality. The certificate does not change with the scale of P. The gap is that
-    of gamma + 0.01 trace P: how far the least could lie below it, relative to it; infinite with another
+    gain can cancel share one inequality. The gap is that of gamma + 0.01 trace P; infinite with another
     ``room`` than the first.
 
     Raises InfeasibleError if no P serves all vertices although the zeros of each allow one, UndecidedError if

@@ -53,18 +53,17 @@ OUTPUT_DECAY = 5.0
 class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
     """The design of an observer that estimates the state of a system with unmeasured inputs.
 
-    Assumes that the scheduling variables stay in the box. It discards every output direction that an unknown
-    input reaches; the modes that are then unobserved, the invariant zeros, follow the model at their own
-    rate. With as many outputs as unknown inputs these are all modes: no measurement corrects the estimate.
+    Assumes that the scheduling variables stay in the box. The modes that are unobserved without the output
+    directions that an unknown input reaches, the invariant zeros, follow the model at their own rate. With as
+    many outputs as unknown inputs these are all modes: no measurement corrects the estimate.
 
     z' = N z + T b + L y, x_hat = z - E y, E = -F (C F)^+, T = I + E C, N = T A + T' - K C, L = K - N E.
     Then e = T x - z obeys e' = N e + T delta, delta = (A(p) - A(p_hat)) x: Theorem 1 with - W C in (27c). A
     discrete system has the next z, no T', and E and T of the step: T F = 0 where F d enters.
 
-    Made by ``design``; ``stage`` runs it. Memory: one gain per vertex, (vertices, n, p). Raises
-    ParameterError for invalid shapes, ranks and points; InfeasibleError if a zero reaches -decay, before any
-    solver runs, with the largest feasible decay; UndecidedError if no solver could decide; CertificateError
-    if recomputed eigenvalues fail.
+    Memory: one gain per vertex, (vertices, n, p). Raises ParameterError for invalid shapes, ranks and points;
+    InfeasibleError if a zero reaches -decay, before any solver runs, with the largest feasible decay;
+    UndecidedError if no solver could decide; CertificateError if recomputed eigenvalues fail.
 
     Reference: Benyoucef et al. 2021, equations (16) to (27), (44), corrected as docs/equations.md says.
 
@@ -100,8 +99,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
 
         ``box`` of the scheduling variables, by default that of a ``CornerSystem``; ``decay`` 1/s (1/step in
         discrete time), positive; ``output_decay`` 1/s, that of errors of the outputs themselves, by default 5
-        in the unit of time in which the system is balanced, so that the design does not depend on the unit of
-        time; in discrete time these end at the next step.
+        in the unit of time in which the system is balanced; in discrete time these end at the next step.
         """
         system = instance("plant", plant, ParameterVaryingSystem)
         discrete = system.time == "discrete"
@@ -232,13 +230,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         return ErrorSystem(a, ts, np.eye(n), names, {"delta": n}, self.system.time)
 
     def stage(self, start: Any = None, *, noise: Any = None, density: Any = None) -> UnknownInputStage:
-        """The observer as a stage that starts at an estimate, by default zeros.
-
-        The first sample replaces the outputs of the estimate.
-
-        ``noise`` and ``density`` as for ``InputReconstruction``: without them the unknown input is
-        estimated over each interval by itself.
-        """
+        """The observer as a stage that starts at an estimate, by default zeros; see ``UnknownInputStage``."""
         return UnknownInputStage(self, start, noise=noise, density=density)
 
     def simulated(self, plant: Any, setting: Setting) -> Simulation:

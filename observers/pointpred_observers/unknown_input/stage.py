@@ -123,9 +123,7 @@ class InputReconstruction:
     Without ``noise`` and ``density`` d is the least-squares solution over each interval by itself, the mean
     of d over it: exact without noise, half an interval late, and noise of the outputs is divided by the
     interval's length. With them it is the Kalman filter of (y, d), in discrete time of d: white noise of
-    the outputs, d a random walk. The known part is fed forward, not differentiated, and holds the
-    observer's estimate, so that its errors enter d. Outputs that are missing are left out; d then changes
-    by the others only.
+    the outputs, d a random walk. Errors of the observer's estimate enter d. Missing outputs are left out.
 
     Parameters: ``outputs`` p; ``time``; ``noise`` standard deviation of the outputs, one number or p;
     ``density`` spectral density of the rate of d, the squared unit of d by s (variance of its change in a
@@ -258,13 +256,11 @@ class UnknownInputStage:
     Assumes that y, b and the scheduling variables are linear between two samples; in discrete time each
     sample is a step, its index the last one plus 1. The matrices that run are those of the vertices, mixed:
     the ones that are proved. Outside the box they are those of the system, with the gains of the nearest
-    point, and ``certified`` is false. With as many outputs as unknown inputs no gain acts.
+    point, and ``certified`` is false.
 
     While an output is missing at one end of an interval the model is followed, x' = A x + b + F d with the
     last estimate of d (zero before the first). At its end the outputs that are measured correct the
-    estimate along F: x + F (C_s F)^+ (y_s - C_s x), which is the observer's own equation if none is
-    missing. Other errors are not corrected in such an interval, and nothing is proved. A sensor that is
-    gone for good needs a design of its own.
+    estimate along F, x + F (C_s F)^+ (y_s - C_s x); other errors are not corrected, and nothing is proved.
 
     Parameters: ``design``; ``start`` the estimate at the first sample, by default 0, whose outputs the first
     sample replaces; ``noise`` and ``density`` as for ``InputReconstruction``. Memory: the estimate, one
