@@ -44,8 +44,7 @@ from pointpred_observers.plants.entries import (
 from pointpred_observers.plants.generator import Fitted, Generator
 from pointpred_observers.plants.linear_systems import Plant, as_plant
 from pointpred_observers.plants.persidskii import Persidskii
-from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
-from pointpred_observers.proofs.definite import solved
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region, solved
 from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.search import WORSE, Posed, search

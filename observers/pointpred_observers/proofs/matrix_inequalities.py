@@ -24,7 +24,7 @@ from pointpred.errors import (
 )
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.equalities import allowed, or_one
-from pointpred_observers.proofs.definite import LEAST_POSITIVE, least
+from pointpred_observers.proofs.bounds import LEAST_POSITIVE, least
 from pointpred_observers.proofs.solver import (
     ENTIRE,
     Affine,
@@ -317,50 +317,34 @@ class MatrixInequalities:
         return self._solution(best, value(best), _gap(value(best), bound))
 
     def _search(self, minimise: Block | None, near: Mapping[str, Any] | None) -> tuple[FloatArray, Affine]:
-        """Numbers that satisfy the inequalities, and the problem whose kappa they keep; raises if none do."""
+        """Numbers that satisfy the inequalities, and the problem whose kappa they keep; raises if none do.
+
+        Numbers that only relax the inequalities are as large as needed. The first attempt is in the units of
+        the problem, the next in those scaled to ``near``, each further one in those of the last answer.
+        """
         start = None if near is None else self.unknowns.numbers(dict(near))
-        most: tuple[float, Answer] | None = None
+        proofs: list[tuple[float, Answer]] = []
         for kappa in (EASY, KAPPA, LOOSER * KAPPA):
             problem = self._numbers(minimise, kappa)
-            numbers, answer, extent = self._feasible(problem, start)
-            if numbers is not None and kappa <= KAPPA:
-                return numbers, problem
-            if most is None or extent > most[0]:
-                most = extent, answer
-            if extent >= ENTIRE:
+            free = relaxing(problem)
+            posed = released(problem, free)
+            scale: FloatArray | None = None
+            last: FloatArray | None = None
+            for turn in range(TURNS):
+                answer = answered(posed, None, scale)
+                for one in (answer.numbers, start if turn == 0 else None):
+                    passing = None if one is None else self._relaxed(problem, one, free)
+                    if passing is not None and kappa <= KAPPA:
+                        return passing, problem
+                proofs.append((reach(posed, answer.multipliers), answer))
+                # Where the start of the caller leads nowhere, the first answer may.
+                last = answer.numbers if answer.numbers is not None or turn > 1 else last
+                scale = start if turn == 0 and start is not None else last
+                if proofs[-1][0] >= ENTIRE or scale is None:
+                    break
+            if proofs[-1][0] >= ENTIRE:
                 break
-        assert most is not None
-        raise self._refusal(*most)
-
-    def _feasible(self, problem: Affine, start: FloatArray | None) -> tuple[FloatArray | None, Answer, float]:
-        """Numbers that satisfy the inequalities, if any, the answer that proves most, and how far it does.
-
-        Numbers that only relax the inequalities are as large as needed. The first attempt is in the units
-        of the problem, the next in those scaled to ``start``, each further one in those scaled to the last
-        answer.
-        """
-        free = relaxing(problem)
-        posed = released(problem, free)
-        most: tuple[float, Answer] | None = None
-        near: FloatArray | None = None
-        last: FloatArray | None = None
-        for turn in range(TURNS):
-            answer = answered(posed, None, near)
-            numbers = answer.numbers
-            for one in (numbers, start if turn == 0 else None):
-                passing = None if one is None else self._relaxed(problem, one, free)
-                if passing is not None:
-                    return passing, answer, 0.0
-            # Where the start of the caller leads nowhere, the first answer may.
-            last = numbers if numbers is not None or turn > 1 else last
-            near = start if turn == 0 and start is not None else last
-            proved = reach(posed, answer.multipliers)
-            if most is None or proved > most[0]:
-                most = proved, answer
-            if proved >= ENTIRE or near is None:
-                break
-        assert most is not None
-        return None, most[1], most[0]
+        raise self._refusal(*max(proofs, key=lambda one: one[0]))
 
     def _relaxed(self, problem: Affine, numbers: FloatArray, free: list[int]) -> FloatArray | None:
         """The numbers with those of ``free`` large enough to pass the audit, if any are."""

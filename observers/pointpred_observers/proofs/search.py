@@ -101,12 +101,7 @@ def least_in_both(
     return found[-1]
 
 
-def at_decay(
-    decay: float | None,
-    slowest: float,
-    time: str,
-    attempt: Callable[[float], T],
-) -> T:
+def at_decay(decay: float | None, slowest: float, time: str, attempt: Callable[[float], T]) -> T:
     """What ``attempt`` finds at ``decay``, or at the largest share of the slowest corner's that has any."""
     tried = [-share * slowest for share in SHARES] if decay is None else [decay]
     for one in tried:
@@ -122,8 +117,3 @@ def at_decay(
 def outward_all(values: Mapping[str, Any], units: Units) -> dict[str, Any]:
     """Matrices of balanced inequalities in the user's units."""
     return {name: values[name] / unit for name, unit in units.items() if name in values}
-
-
-def inward_all(values: Mapping[str, Any], units: Units) -> dict[str, Any]:
-    """The inverse."""
-    return {name: values[name] * unit for name, unit in units.items() if name in values}

@@ -26,8 +26,9 @@ from pointpred_observers.proofs.bounds import (
     proved_bound,
     region,
 )
+from pointpred_observers.proofs.decay import dissipation
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import Posed, at_decay, inward_all, search
+from pointpred_observers.proofs.search import Posed, at_decay, search
 from pointpred_observers.proofs.stationary import cover, decay_start, middle, normal
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
 
@@ -37,11 +38,10 @@ Slopes = tuple[tuple[float, float], ...] | None
 class Convergence(msgspec.Struct, frozen=True):
     """A certificate that the invariant solution attracts the observer's state.
 
-    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` recomputed from them, the
-    ``bound`` of the error for a disturbance delta of the observer's equation. It holds while the arguments
-    of f, ``J`` times the error beside the true ones, stay within ``domain``. ``gap``: how far the least
-    condition number of P in balanced units (in discrete time plus the size of Gamma) could lie below that
-    of this one, relative to it.
+    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` recomputed from them, the ``bound``
+    of the error for a disturbance delta of the observer's equation, while the arguments of f, ``J`` times the
+    error beside the true ones, stay within ``domain``. ``gap``: how far the least condition number of P in
+    balanced units (in discrete time plus the size of Gamma) could lie below this one, relative to it.
     """
 
     theorem: str
@@ -119,7 +119,7 @@ def theorem_3_3_1(
     def given(s1: FloatArray, f: FloatArray, v: Any) -> FloatArray:
         return np.asarray(v.P @ s1 - f)
 
-    def dissipation(one: Connection, v: Any) -> FloatArray:
+    def decaying(one: Connection, v: Any) -> FloatArray:
         within = 2.0 * v.W if sloped else 0.0
         return np.asarray(symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + within)
 
@@ -130,7 +130,7 @@ def theorem_3_3_1(
         for name, corner in corners.items():
             bound = partial(sector, one, corner)
             problem.above(f"W - sym(F D J), D = diag({name}){mark}", bound, strict=False)
-        problem.below(f"the inequality{mark}", partial(dissipation, one))
+        problem.below(f"the inequality{mark}", partial(decaying, one))
     return problem
 
 
@@ -161,8 +161,15 @@ def theorem_3_3_2(
             steepest = lipschitz(slopes, one.J)
         else:
             steepest = gamma * np.eye(q)
-            if isinstance(observer, InvariantObserver) and slopes is not None and one.S1.any():
-                _require_lipschitz(gamma, float(np.linalg.norm(lipschitz(slopes, one.J), 2)))
+            implied = isinstance(observer, InvariantObserver) and slopes is not None and one.S1.any()
+            least = float(np.linalg.norm(lipschitz(slopes, one.J), 2)) if implied else 0.0
+            if gamma < least * (1.0 - NARROWER):
+                raise ParameterError(
+                    f"gamma must be at least {least:.6g}, which the slopes of f and J imply, received "
+                    f"{gamma:g}; leave it out, or pass the slopes of f where they are narrower",
+                    field="gamma",
+                    value=gamma,
+                )
         mark = f" at {i}" if len(connections) > 1 else ""
         problem.below(f"the LMI{mark}", partial(_next, one, steepest), strict=False)
     return problem
@@ -237,7 +244,7 @@ def certify_convergence(
                 )
             form = np.outer(x, x)
             measured = {"P": form, "Xi": t * form, "W": t * form, "Gamma": form, "alpha": 1.0}
-            given = inward_all(near or {}, measured)
+            given = {name: one * measured[name] for name, one in (near or {}).items()}
             start = _start(inner, plant.time, slopes, (rate * t, scale * t), given)
             return Posed(problem, measured, lambda v: v.bound + getattr(v, "noise", 0.0), start)
 
@@ -312,8 +319,8 @@ def connections_of(
         connections = observer
     else:
         raise ParameterError(
-            "a theorem of section 3.3 needs an InvariantObserver, or printed matrices {'S0': ..., 'S1': ..., "
-            f"'J': ...}}, received {observer!r:.80}",
+            "a theorem of section 3.3 needs an InvariantObserver, or a dict of printed S0, S1 and J, "
+            f"received {observer!r:.80}",
             field="observer",
         )
     k = connections[0].S1.shape[1]
@@ -345,26 +352,13 @@ def lipschitz(slopes: Slopes, j: FloatArray) -> FloatArray:
     return np.asarray(steepest[:, None] * j, np.float64)
 
 
-def _require_lipschitz(gamma: float, least: float) -> None:
-    """Raise ParameterError for a gamma that f exceeds."""
-    if gamma < least * (1.0 - NARROWER):
-        raise ParameterError(
-            f"gamma must be at least {least:.6g}, which the slopes of f and J imply, received {gamma:g}; "
-            "leave it out, or pass the slopes of f where they are narrower",
-            field="gamma",
-            value=gamma,
-        )
-
-
 def _next(one: Connection, steepest: FloatArray, v: Any) -> FloatArray:
     """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with the terms of the Lipschitz constant."""
     q, k = one.S1.shape
-    onward = np.hstack([one.S0, one.S1, -np.eye(q)])
-    diagonal = np.zeros((2 * q + k, 2 * q + k))
-    diagonal[:q, :q] = v.Xi - v.P + v.alpha * (steepest.T @ steepest)
-    diagonal[q : q + k, q : q + k] = -v.alpha * np.eye(k)
-    diagonal[q + k :, q + k :] = -v.Gamma
-    return np.asarray(diagonal + onward.T @ v.P @ onward)
+    forces = np.zeros((k + q, k + q))
+    forces[:k, :k], forces[k:, k:] = -v.alpha * np.eye(k), -v.Gamma
+    own = v.Xi - v.P + v.alpha * (steepest.T @ steepest)
+    return dissipation(one.S0, np.hstack([one.S1, -np.eye(q)]), v.P, own, forces, "discrete")
 
 
 def _start(

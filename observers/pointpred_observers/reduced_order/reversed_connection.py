@@ -71,9 +71,36 @@ class Connection(msgspec.Struct, frozen=True):
 
 
 class InvariantObserver(Observer):
-    """An observer with the invariant w = Pi x + Upsilon y; see ``invariant_observer``.
+    """The observer w' = S0 w + S1 f(Jw) + B y + O u that w = Pi x + Upsilon y solves for every x(0) and u.
 
-    Assumes y = C0 x + C1 f(Hx) without noise; that w converges to it needs a certificate.
+    Assumes y = C0 x + C1 f(Hx) without noise, and nothing about stability: that w converges needs a
+    certificate. If the equalities do not determine S0 and B (q + p > n), B is by default the one of least
+    norm, which need not give a stable observer.
+
+    With Z = Pi + Upsilon C0: Upsilon C1 = 0, J Z = H, S0 Z + B C0 = Z A0 + Z', S1 = Z A1 - B C1, O = Z
+    (B Q). In discrete time the Z before A0, A1 and the inputs is that of the next index, and there is
+    no Z'. ``injection`` weakens J Z = H to J Z + R C0 = H with f(J w + R y): the measured output within f,
+    which the thesis does not have. J is not needed if S1 = 0.
+
+    Parameters: ``Pi`` (q, n), ``Upsilon`` (q, p), ``B`` (q, p): arrays or functions of t (of the index);
+    ``rates`` in continuous time the derivatives of those of Pi, Upsilon and C0 that vary;
+    ``tolerance`` of a residual relative to the plant's largest entry, for matrices rounded in print: such an
+    observer runs, but a certificate needs the default. Raises InfeasibleError naming the violated equality
+    and its residual; ParameterError for a shape.
+
+    Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2, (3.20)-(3.25); C0, C1 and Q are its D0, D1 and Q.
+
+    >>> from pointpred_observers import Persidskii
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0], C0=[1.0, 0.0])
+    >>> now = invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]).at(0.0)
+    >>> now.S0.round(9).tolist(), now.B.round(9).tolist(), now.O.tolist()
+    ([[-4.0]], [[-12.0]], [[1.0]])
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -2.0], [1.0, 0.0], "sin", C0=[1.0, 0.0])
+    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]])  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: J (Pi + Upsilon C0) - H = 0 cannot hold: its residual is 0.5 ...
+    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]], injection=True).at(0.0).R.round(9).tolist()
+    [[1.0]]
     """
 
     kind: ClassVar[str] = "invariant"
@@ -83,7 +110,7 @@ class InvariantObserver(Observer):
         self,
         plant: Plant,
         Pi: Given,
-        Upsilon: Given,
+        Upsilon: Given = None,
         *,
         B: Given = None,
         injection: bool = False,
@@ -362,47 +389,7 @@ class InvariantDocument(Document, tag="invariant observer", frozen=True):
         )
 
 
-def invariant_observer(
-    plant: Plant,
-    Pi: Given,
-    Upsilon: Given = None,
-    *,
-    B: Given = None,
-    injection: bool = False,
-    rates: dict[str, Callable[[float], Any]] | None = None,
-    tolerance: float = TOLERANCE,
-) -> InvariantObserver:
-    """The observer w' = S0 w + S1 f(Jw) + B y + O u that w = Pi x + Upsilon y solves for every x(0) and u.
-
-    Assumes nothing about stability. If the equalities do not determine S0 and B (q + p > n), B is by default
-    the one of least norm, which need not give a stable observer.
-
-    With Z = Pi + Upsilon C0: Upsilon C1 = 0, J Z = H, S0 Z + B C0 = Z A0 + Z', S1 = Z A1 - B C1, O = Z
-    (B Q). In discrete time the Z before A0, A1 and the inputs is that of the next index, and there is
-    no Z'. ``injection`` weakens J Z = H to J Z + R C0 = H with f(J w + R y): the measured output within f,
-    which the thesis does not have. J is not needed if S1 = 0.
-
-    Parameters: ``Pi`` (q, n), ``Upsilon`` (q, p), ``B`` (q, p): arrays or functions of t (of the index);
-    ``rates`` in continuous time the derivatives of those of Pi, Upsilon and C0 that vary;
-    ``tolerance`` of a residual relative to the plant's largest entry, for matrices rounded in print: such an
-    observer runs, but a certificate needs the default. Raises InfeasibleError naming the violated equality
-    and its residual; ParameterError for a shape.
-
-    Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2, (3.20)-(3.25); C0, C1 and Q are its D0, D1 and Q.
-
-    >>> from pointpred_observers import Persidskii
-    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0], C0=[1.0, 0.0])
-    >>> now = invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]).at(0.0)
-    >>> now.S0.round(9).tolist(), now.B.round(9).tolist(), now.O.tolist()
-    ([[-4.0]], [[-12.0]], [[1.0]])
-    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -2.0], [1.0, 0.0], "sin", C0=[1.0, 0.0])
-    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]])  # doctest: +ELLIPSIS
-    Traceback (most recent call last):
-    pointpred.errors.InfeasibleError: J (Pi + Upsilon C0) - H = 0 cannot hold: its residual is 0.5 ...
-    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]], injection=True).at(0.0).R.round(9).tolist()
-    [[1.0]]
-    """
-    return InvariantObserver(plant, Pi, Upsilon, B=B, injection=injection, rates=rates, tolerance=tolerance)
+invariant_observer = InvariantObserver
 
 
 def _empty(given: Given) -> bool:

@@ -39,8 +39,7 @@ from pointpred_observers.plants.entries import (
 from pointpred_observers.plants.expressions import parsed
 from pointpred_observers.plants.polynomials import symbolic
 from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
-from pointpred_observers.proofs.definite import solved
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, solved
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.search import Posed, search

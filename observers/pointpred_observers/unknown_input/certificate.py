@@ -18,9 +18,8 @@ from pointpred.errors import CertificateError, InfeasibleError, UndecidedError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.matrices import positive
 from pointpred_observers.plants.zeros import kernel
-from pointpred_observers.proofs.bounds import ErrorBound, proved_bound
+from pointpred_observers.proofs.bounds import LEAST_POSITIVE, ErrorBound, least, proved_bound
 from pointpred_observers.proofs.decay import dissipation
-from pointpred_observers.proofs.definite import LEAST_POSITIVE, least
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.stationary import decay_start, filter_start
 

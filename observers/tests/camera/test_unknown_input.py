@@ -18,7 +18,7 @@ from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.files import encoded
 from pointpred_observers.plants.boxes import Box, at_vertices
 from pointpred_observers.plants.varying import CornerSystem, ParameterVaryingSystem
-from pointpred_observers.proofs.definite import least
+from pointpred_observers.proofs.bounds import least
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.unknown_input.certificate import ROOMS, audit, inequality
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
