@@ -32,8 +32,7 @@ from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import WORSE, least_in_both, outward_all
-from pointpred_observers.proofs.stationary import cover, filter_start, middle
+from pointpred_observers.proofs.search import WORSE, cover, filter_start, least_in_both, middle, outward_all
 from pointpred_observers.reduced_order.reversed_certificate import (
     Convergence,
     Slopes,

@@ -28,8 +28,7 @@ from pointpred_observers.proofs.bounds import (
 )
 from pointpred_observers.proofs.decay import dissipation
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import Posed, at_decay, search
-from pointpred_observers.proofs.stationary import cover, decay_start, middle, normal
+from pointpred_observers.proofs.search import Posed, at_decay, cover, decay_start, middle, normal, search
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
 
 Slopes = tuple[tuple[float, float], ...] | None

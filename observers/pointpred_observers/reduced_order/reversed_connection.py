@@ -351,8 +351,10 @@ class InvariantObserver(Observer):
                 raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
         # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
         units, gains = column_units(both), {"Upsilon C1": upsilon, "R C1": r}
-        shares = {name: share_of_terms(*one, units) for name, one in left.items() if name not in gains}
-        shares |= {name: _share_before_f(one, now["C0"], now["C1"]) for name, one in gains.items()}
+        shares = {}
+        for name, one in left.items():
+            before = gains.get(name)
+            shares[name] = share_of_terms(*one, units) if before is None else _share_before_f(before, now)
         free = given is None and np.linalg.matrix_rank(both) < self.q + self.plant.p
         inputs = onward @ np.hstack([now["B"], now["Q"]])
         return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward, shares)
@@ -415,8 +417,9 @@ def _right(a: FloatArray, b: FloatArray) -> FloatArray:
     return answer
 
 
-def _share_before_f(gain: FloatArray, c0: FloatArray, c1: FloatArray) -> float:
+def _share_before_f(gain: FloatArray, plant: dict[str, FloatArray]) -> float:
     """How much of f a gain of the outputs lets through, as a share of what it would without cancelling."""
+    c0, c1 = plant["C0"], plant["C1"]
     both = np.hstack([np.abs(c0) / column_units(c0), np.abs(c1)])
     outputs = or_one(both.max(axis=1, initial=0.0))
     most = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]

@@ -42,8 +42,7 @@ from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicStead
 from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, solved
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import Posed, search
-from pointpred_observers.proofs.stationary import filter_start
+from pointpred_observers.proofs.search import Posed, filter_start, search
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, Signal, run
 from pointpred_observers.triangular.forms import interlaced

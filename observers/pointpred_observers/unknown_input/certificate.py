@@ -21,7 +21,7 @@ from pointpred_observers.plants.zeros import kernel
 from pointpred_observers.proofs.bounds import LEAST_POSITIVE, ErrorBound, least, proved_bound
 from pointpred_observers.proofs.decay import dissipation
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.stationary import decay_start, filter_start
+from pointpred_observers.proofs.search import decay_start, filter_start
 
 
 class Room(NamedTuple):
