@@ -43,7 +43,6 @@ class Convergence(msgspec.Struct, frozen=True):
     balanced units (in discrete time plus the size of Gamma) could lie below this one, relative to it.
     """
 
-    theorem: str
     values: dict[str, Any]
     margins: dict[str, float]
     bound: ErrorBound
@@ -61,24 +60,22 @@ class Convergence(msgspec.Struct, frozen=True):
         )
 
     @classmethod
-    def of(
-        cls,
-        connections: list[Connection],
-        plant: Persidskii,
-        values: dict[str, Any],
-        margins: dict[str, float],
-        gap: float,
+    def audited(
+        cls, connections: list[Connection], plant: Persidskii, values: dict[str, Any], gap: float
     ) -> Convergence:
-        """What audited matrices prove."""
+        """What matrices prove; raises CertificateError naming the inequality that fails."""
+        theorem = _theorem(connections, plant.time, plant.slopes, values.get("gamma", 1.0))
+        matrices = {name: one for name, one in values.items() if name != "gamma"}
+        margins = theorem.check(matrices, printed=False)
         if plant.time == "discrete":
-            theorem, drive = "3.3.2", eigenvalues("Gamma", values["Gamma"])[-1]
+            drive = eigenvalues("Gamma", values["Gamma"])[-1]
         else:  # delta'P delta / gamma, with the factor that the print lacks
-            theorem, drive = "3.3.1", eigenvalues("P", values["P"])[-1] / values["gamma"]
+            drive = eigenvalues("P", values["P"])[-1] / values["gamma"]
         decay = decay_of(values["P"], values["Xi"], plant.time)
         bound = proved_bound(values["P"], decay, {"delta": drive}, plant.time)
         sloped = [one.J for one in connections if one.S1.any()]
         j = np.vstack(sloped) if sloped else np.zeros((0, len(connections[0].S0)))
-        return cls(theorem, values, margins, bound, j, plant.domain if sloped else np.inf, gap)
+        return cls(values, margins, bound, j, plant.domain if sloped else np.inf, gap)
 
 
 def theorem_3_3_1(
@@ -252,10 +249,9 @@ def certify_convergence(
             missing = share - least_ratio(values["P"], values["Xi"])
             if missing > 0.0:
                 values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
-            margins = _theorem(connections, plant.time, plant.slopes, scale).check(values, printed=False)
             if plant.time == "continuous":
                 values["gamma"] = scale
-            return Convergence.of(connections, plant, values, margins, gap)
+            return Convergence.audited(connections, plant, values, gap)
 
         units = balanced(
             [one.S0 for one in connections],
@@ -277,11 +273,7 @@ def certified_convergence(
 
     Raises CertificateError naming the equality or the inequality that fails.
     """
-    connections, plant = _held(observer, None), observer.plant
-    matrices = {name: one for name, one in values.items() if name != "gamma"}
-    theorem = _theorem(connections, plant.time, plant.slopes, values.get("gamma", 1.0))
-    margins = theorem.check(matrices, printed=False)
-    return Convergence.of(connections, observer.plant, dict(values), margins, gap)
+    return Convergence.audited(_held(observer, None), observer.plant, dict(values), gap)
 
 
 def _theorem(connections: list[Connection], time: str, slopes: Slopes, gamma: float) -> MatrixInequalities:
@@ -340,7 +332,7 @@ def _printed(given: Mapping[str, Any]) -> Connection:
             f"J has {len(j)} rows, needs {s1.shape[1]}, one for each column of S1", field="J"
         )
     none = np.zeros((q, 0))
-    return Connection(none, s0, s1, j, none, none, np.zeros((len(j), 0)), {}, True, none)
+    return Connection(none, s0, s1, j, none, none, np.zeros((len(j), 0)), {})
 
 
 def lipschitz(slopes: Slopes, j: FloatArray) -> FloatArray:

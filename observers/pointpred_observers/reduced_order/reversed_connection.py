@@ -40,9 +40,7 @@ Given = Any
 class Connection(msgspec.Struct, frozen=True):
     """The observer's matrices at one time: w' = S0 w + S1 f(J w + R y) + B y + O u, with w = Z x invariant.
 
-    ``R`` is zero without injection. ``residuals`` of each equality, ``shares`` the same relative to its
-    terms; ``unique``: whether the equalities determine S0 and B.
-    ``onward`` is the Z of the next w: Z itself in continuous time.
+    ``R`` is zero without injection. ``residuals`` of each equality, ``shares`` of its terms.
     """
 
     Z: FloatArray
@@ -53,8 +51,6 @@ class Connection(msgspec.Struct, frozen=True):
     O: FloatArray
     R: FloatArray
     residuals: dict[str, float]
-    unique: bool
-    onward: FloatArray
     shares: dict[str, float] = {}
 
     def require_equalities(self) -> None:
@@ -210,7 +206,7 @@ class InvariantObserver(Observer):
         now.require_equalities()
         return sloped_system(
             now.S0,
-            without_rounding(now.S1, now.onward @ plant.A1),
+            without_rounding(now.S1, now.Z @ plant.A1),
             now.J,
             {"delta": np.eye(self.q), "v": now.B},
             slopes=plant.slopes,
@@ -355,9 +351,8 @@ class InvariantObserver(Observer):
         for name, one in left.items():
             before = gains.get(name)
             shares[name] = share_of_terms(*one, units) if before is None else _share_before_f(before, now)
-        free = given is None and np.linalg.matrix_rank(both) < self.q + self.plant.p
         inputs = onward @ np.hstack([now["B"], now["Q"]])
-        return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward, shares)
+        return Connection(z, s0, s1, j, b, inputs, r, residuals, shares)
 
     def _rate(self, name: str, t: float) -> FloatArray:
         """The derivative of Pi, Upsilon or C0, zero where none was passed."""
