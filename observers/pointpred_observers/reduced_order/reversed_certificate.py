@@ -310,7 +310,7 @@ def connections_of(
         connections = observer
     else:
         raise ParameterError(
-            "a theorem of section 3.3 needs an InvariantObserver, or a dict of printed S0, S1 and J, "
+            "a theorem of section 3.3 needs an InvariantObserver, or printed matrices S0, S1 and J, "
             f"received {observer!r:.80}",
             field="observer",
         )
