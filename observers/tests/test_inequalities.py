@@ -79,6 +79,18 @@ def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.M
         lyapunov(np.eye(2)).solve()
 
 
+def test_a_solver_that_panics_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The errors of a solver that is written in Rust are no exceptions of Python's."""
+    panic = type("PanicException", (BaseException,), {})
+
+    def solve(*given: Any, **settings: Any) -> None:
+        raise panic("Eigval error")
+
+    monkeypatch.setattr("cvxpy.Problem.solve", solve)
+    with pytest.raises(UndecidedError, match="its status: failed: Eigval error"):
+        lyapunov(-np.eye(2)).solve()
+
+
 @given(st.integers(0, 2**32 - 1))
 @settings(max_examples=20)
 def test_no_choice_within_the_reach_of_a_proof_satisfies_the_inequalities(seed: int) -> None:

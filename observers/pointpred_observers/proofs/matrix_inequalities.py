@@ -248,12 +248,7 @@ class MatrixInequalities:
         self.unknowns.add(Unknown(name, kind, rows, columns, low))
         return self
 
-    def solve(
-        self,
-        *,
-        minimise: Block | None = None,
-        near: Mapping[str, Any] | None = None,
-    ) -> Solution:
+    def solve(self, *, minimise: Block | None = None, near: Mapping[str, Any] | None = None) -> Solution:
         """Matrices with margins, and with the least ``minimise(v)`` if passed.
 
         ``near``: matrices by name where the search goes on if its first attempt fails; any will do.

@@ -342,6 +342,10 @@ def _solved(whole: Any, failing: type[Exception]) -> str:
                 warnings.simplefilter("ignore")
                 whole.solve(solver=SOLVER, **settings)
             return str(whole.status)
-        except (failing, ArithmeticError, ValueError) as failure:
+        except BaseException as failure:
+            # A panic of a solver that is written in Rust is no Exception.
+            panic = type(failure).__name__ == "PanicException"
+            if not panic and not isinstance(failure, (failing, ArithmeticError, ValueError)):
+                raise
             failed = f"failed: {failure}"
     return failed

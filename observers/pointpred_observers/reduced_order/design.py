@@ -32,7 +32,7 @@ from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import WORSE, cover, filter_start, least_in_both, middle, outward_all
+from pointpred_observers.proofs.search import WORSE, cover, filter_start, least_in_both, middle
 from pointpred_observers.reduced_order.reversed_certificate import (
     Convergence,
     Slopes,
@@ -136,13 +136,11 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
 
             def designed(basis: Any, gamma: float) -> ReducedOrderObserver:
                 parts = split(inner, matrix("Pi", basis, None, plant.n) * units.states)
-                chosen, gap, near = _chosen(plant, parts, sloped, (decay, 2.0 * decay + gamma), units is even)
+                chosen, gap = _chosen(plant, parts, sloped, (decay, 2.0 * decay + gamma), units is even)
                 upsilon = chosen / units.outputs
                 try:
                     observer = InvariantObserver(plant, basis, upsilon, injection=True)
-                    certificate = certify_convergence(
-                        observer, decay=decay, gamma=gamma, times=None, near=near
-                    )
+                    certificate = certify_convergence(observer, decay=decay, gamma=gamma)
                 except InfeasibleError as failure:
                     # The equalities and the inequality hold for this Upsilon, as its choice has shown.
                     raise UndecidedError(
@@ -306,8 +304,8 @@ def _inward(plant: Persidskii, units: Coordinates) -> Persidskii:
 
 def _chosen(
     plant: Persidskii, parts: Split, sloped: bool, rates: tuple[float, float], balancing: bool
-) -> tuple[FloatArray, float, dict[str, Any]]:
-    """Upsilon, its gap and its P, by balanced units or those of ``parts``; ``rates`` of e and of V."""
+) -> tuple[FloatArray, float]:
+    """Upsilon and its gap, by balanced units or those of ``parts``; ``rates`` of e and of V."""
     units = balanced(
         parts.drift,
         seen=parts.seen,
@@ -319,21 +317,19 @@ def _chosen(
         time=plant.time,
     )
 
-    def made(units: Coordinates) -> tuple[FloatArray, float, dict[str, Any]]:
+    def made(units: Coordinates) -> tuple[FloatArray, float]:
         x, t, slopes = units.states, units.seconds, units.slopes(plant.slopes)
         corners = vertices(slopes) if sloped else {}
-        upsilon, gap, proof = _injection(parts.inward(units), corners, slopes, plant.time, rates[1] * t)
-        form = np.outer(x, x)
-        proof = outward_all(proof, {"P": form, "W": t * form, "alpha": 1.0})
-        return outward(upsilon, x, units.outputs, t), gap, proof
+        upsilon, gap = _injection(parts.inward(units), corners, slopes, plant.time, rates[1] * t)
+        return outward(upsilon, x, units.outputs, t), gap
 
     return least_in_both(units, made) if balancing else made(units.plain)
 
 
 def _injection(
     parts: Split, corners: dict[str, FloatArray], slopes: Slopes, time: str, rate: float
-) -> tuple[FloatArray, float, dict[str, Any]]:
-    """An Upsilon with a small output injection, the gap of its size, and its P with W or alpha.
+) -> tuple[FloatArray, float]:
+    """An Upsilon with a small output injection, and the gap of its size.
 
     One P proves V' <= -``rate`` V (V+ <= exp(-``rate``) V in discrete time) at the ``corners`` of the slopes,
     none if f does not matter: an inequality that is linear in P and U = P Upsilon.
@@ -348,16 +344,15 @@ def _injection(
         slowest, most = np.abs(modes).max(), exp(most)
     if slowest < most:
         with suppress(InfeasibleError, UndecidedError, CertificateError):
-            return np.zeros((q, p)), 0.0, _problem(parts, corners, slopes, time, rate, False).solve().values
+            _problem(parts, corners, slopes, time, rate, False).solve()
+            return np.zeros((q, p)), 0.0
     problem = _problem(parts, corners, slopes, time, rate, True).number("size")
     problem.above(
         "size - U' P^-1 U", lambda v: np.block([[v.size * np.eye(p), v.U.T], [v.U, v.P]]), strict=False
     )
     solution = problem.solve(minimise=lambda v: v.size, near=_start(parts, corners, slopes, time, rate))
-    values = solution.values
-    proof: dict[str, Any] = {name: one for name, one in values.items() if name in ("P", "W", "alpha")}
-    upsilon = np.asarray(np.linalg.solve(values["P"], values["U"]))
-    return upsilon, np.inf if solution.gap is None else solution.gap, proof
+    upsilon = np.asarray(np.linalg.solve(solution.values["P"], solution.values["U"]))
+    return upsilon, np.inf if solution.gap is None else solution.gap
 
 
 def _start(

@@ -28,7 +28,7 @@ from pointpred_observers.proofs.bounds import (
 )
 from pointpred_observers.proofs.decay import dissipation
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import Posed, at_decay, cover, decay_start, middle, normal, search
+from pointpred_observers.proofs.search import Posed, at_decay, cover, decay_start, middle, search
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
 
 Slopes = tuple[tuple[float, float], ...] | None
@@ -131,11 +131,7 @@ def theorem_3_3_1(
 
 
 def theorem_3_3_2(
-    observer: Any,
-    slopes: Any = None,
-    gamma: float | None = None,
-    *,
-    times: Sequence[float] | None = None,
+    observer: Any, slopes: Any = None, gamma: float | None = None, *, times: Sequence[float] | None = None
 ) -> MatrixInequalities:
     """The inequalities of Theorem 3.3.2 with a constant P.
 
@@ -177,7 +173,6 @@ def certify_convergence(
     decay: float | None = None,
     gamma: float | None = None,
     times: Sequence[float] | None = None,
-    near: dict[str, Any] | None = None,
 ) -> Convergence:
     """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
 
@@ -187,7 +182,6 @@ def certify_convergence(
 
     Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; by default
     a fraction of the slowest corner's; ``gamma`` of Theorem 3.3.1 in 1/s, > 0, by default ``decay``.
-    ``near`` matrices by name, P and then W or alpha, where the search may begin.
     Raises CertificateError for an equality that fails by more than the default tolerance, whatever the
     observer's; InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
     slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
@@ -240,8 +234,7 @@ def certify_convergence(
                 )
             form = np.outer(x, x)
             measured = {"P": form, "Xi": t * form, "W": t * form, "Gamma": form, "alpha": 1.0}
-            given = {name: one * measured[name] for name, one in (near or {}).items()}
-            start = _start(inner, plant.time, slopes, (rate * t, scale * t), given)
+            start = _start(inner, plant.time, slopes, (rate * t, scale * t))
             return Posed(problem, measured, lambda v: v.bound + getattr(v, "noise", 0.0), start)
 
         def audited(values: dict[str, Any], gap: float) -> Convergence:
@@ -353,37 +346,29 @@ def _next(one: Connection, steepest: FloatArray, v: Any) -> FloatArray:
 
 
 def _start(
-    connections: list[Connection],
-    time: str,
-    slopes: Slopes,
-    rates: tuple[float, float],
-    given: dict[str, Any],
+    connections: list[Connection], time: str, slopes: Slopes, rates: tuple[float, float]
 ) -> dict[str, Any] | None:
-    """Matrices of the theorem for a P that is given, or that of Lyapunov's equation at the middle slopes."""
+    """Matrices of the theorem for the P of Lyapunov's equation at the middle slopes."""
     one, sloped = connections[0], any(other.S1.any() for other in connections)
     (decay, gamma), discrete = rates, time == "discrete"
-    p = normal(given["P"]) if "P" in given else None
-    scale = 1.0 if p is None else p[0, 0] / given["P"][0, 0]
-    if p is None:
-        a = one.S0 + one.S1 @ middle(slopes) @ one.J if sloped else one.S0
-        p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
+    a = one.S0 + one.S1 @ middle(slopes) @ one.J if sloped else one.S0
+    p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
     if p is None:
         return None
     # Xi - share P is 0 to the last digit, which its audit accepts whatever the condition number of P.
     share = decay_share(decay, time)
     values: dict[str, Any] = {"P": p, "Xi": share * p, "bound": 2.0 * np.linalg.norm(p, 2)}
     if discrete:
-        alpha = scale * given["alpha"] if "alpha" in given else 1.0
         steepest = lipschitz(slopes, one.J)
         onward = np.hstack([one.S0, one.S1])
         rest = -onward.T @ p @ onward
         q = len(p)
-        rest[:q, :q] += p - values["Xi"] - alpha * steepest.T @ steepest
-        rest[q:, q:] += alpha * np.eye(len(rest) - q)
+        rest[:q, :q] += p - values["Xi"] - steepest.T @ steepest
+        rest[q:, q:] += np.eye(len(rest) - q)
         across = p @ onward
         room = p + 2.0 * across @ np.linalg.pinv(rest) @ across.T
-        values["alpha"], values["Gamma"] = alpha, symmetric(room) + p
+        values["alpha"], values["Gamma"] = 1.0, symmetric(room) + p
         values["noise"] = 2.0 * float(np.linalg.norm(values["Gamma"], 2))
     elif sloped:
-        values["W"] = scale * given["W"] if "W" in given else cover(p @ one.S1, one.J, slopes)
+        values["W"] = cover(p @ one.S1, one.J, slopes)
     return values
