@@ -50,8 +50,7 @@ from pointpred_observers.plants.generator import (
 from pointpred_observers.plants.linear_systems import Plant, as_plant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.bounds import ErrorBound
-from pointpred_observers.proofs.decay import certified_decay
-from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.error_system import ErrorSystem, certified_decay
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 

@@ -17,8 +17,12 @@ from pointpred_observers.numerics.matrices import matrix, positive
 from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.bounds import solved
-from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
-from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
+from pointpred_observers.proofs.error_system import (
+    DecayCertificate,
+    ErrorSystem,
+    certify_decay,
+    sloped_system,
+)
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.search import Posed, search
 

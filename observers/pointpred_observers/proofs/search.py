@@ -64,7 +64,8 @@ def search(
         v = SimpleNamespace(**found.values)
         matrices = {**found.values, **{name: function(v) for name, function in now.functions.items()}}
         try:
-            return audited(outward_all(matrices, now.units), np.inf if found.gap is None else found.gap)
+            outward = {name: matrices[name] / unit for name, unit in now.units.items() if name in matrices}
+            return audited(outward, np.inf if found.gap is None else found.gap)
         except (CertificateError, np.linalg.LinAlgError) as failure:
             # They passed in the units of the search: a CertificateError is for matrices of others.
             raise UndecidedError(
@@ -115,11 +116,6 @@ def at_decay(decay: float | None, slowest: float, time: str, attempt: Callable[[
                 unit = "1/step" if time == "discrete" else "1/s"
                 raise type(failure)(f"{failure}; with decay = {one:g} {unit}") from failure
     raise AssertionError
-
-
-def outward_all(values: Mapping[str, Any], units: Units) -> dict[str, Any]:
-    """Matrices of balanced inequalities in the user's units."""
-    return {name: values[name] / unit for name, unit in units.items() if name in values}
 
 
 def filter_start(

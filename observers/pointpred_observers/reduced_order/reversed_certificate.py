@@ -26,7 +26,7 @@ from pointpred_observers.proofs.bounds import (
     proved_bound,
     region,
 )
-from pointpred_observers.proofs.decay import dissipation
+from pointpred_observers.proofs.error_system import dissipation
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.search import Posed, at_decay, cover, decay_start, middle, search
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver

@@ -14,8 +14,7 @@ from pointpred_observers.numerics.eigenvalues import require_detectable
 from pointpred_observers.plants.polynomials import symbolic
 from pointpred_observers.plants.symbolic import SymbolicSteadyState
 from pointpred_observers.proofs.bounds import ErrorBound
-from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
-from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.error_system import DecayCertificate, ErrorSystem, certify_decay
 from pointpred_observers.triangular.interlaced_observer import output_matrix
 from pointpred_observers.triangular.ranges import StateRegion, enclosure, intervals_of
 

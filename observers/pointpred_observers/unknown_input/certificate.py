@@ -19,7 +19,7 @@ from pointpred.records import FloatArray
 from pointpred_observers.numerics.matrices import positive
 from pointpred_observers.plants.zeros import kernel
 from pointpred_observers.proofs.bounds import LEAST_POSITIVE, ErrorBound, least, proved_bound
-from pointpred_observers.proofs.decay import dissipation
+from pointpred_observers.proofs.error_system import dissipation
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.search import decay_start, filter_start
 
