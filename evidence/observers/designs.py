@@ -39,7 +39,7 @@ from pointpred_observers.interconnected.tracking import theorem_3_2_2, theorem_3
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.thesis import certify_convergence, certify_tracking, regression_margin
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
-from pointpred_observers.unknown_input.gains import ROOMS
+from pointpred_observers.unknown_input.certificate import ROOMS
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 

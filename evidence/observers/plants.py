@@ -11,7 +11,7 @@ from pointpred.errors import UndecidedError
 from pointpred.records import FloatArray
 from pointpred_observers import Box, Generator, ParameterVaryingSystem, Persidskii, invariant_observer
 from pointpred_observers.interconnected.design import DrivenObserver
-from pointpred_observers.proofs.stationary import filter_start
+from pointpred_observers.proofs.search import filter_start
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import certify_convergence, certify_tracking
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced

@@ -15,9 +15,7 @@ from pointpred_observers.plants.varying import (
     ParameterVaryingSystem,
     invariant_zeros,
 )
-from pointpred_observers.proofs.decay import certify_decay
-from pointpred_observers.proofs.error_system import ErrorSystem
-from pointpred_observers.proofs.l2_gain import l2_gain
+from pointpred_observers.proofs.error_system import ErrorSystem, certify_decay, l2_gain
 from pointpred_observers.reduced_order.reversed_connection import invariant_observer
 from pointpred_observers.regressors.excitation import persistent_excitation
 from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor, Regression

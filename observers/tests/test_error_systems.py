@@ -17,8 +17,7 @@ from pointpred.errors import InfeasibleError
 from pointpred_observers.files import decoded, encoded
 from pointpred_observers.interconnected.design import DrivenObserver, FullOrderObserver
 from pointpred_observers.interconnected.regulator import Regulator
-from pointpred_observers.proofs.error_system import sloped_system
-from pointpred_observers.proofs.l2_gain import h_infinity
+from pointpred_observers.proofs.error_system import h_infinity, sloped_system
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import assumption_3_2_2, design_state_feedback
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver

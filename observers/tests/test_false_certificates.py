@@ -21,8 +21,8 @@ from pointpred_observers.cli.observer_tables import print_audit, print_design, s
 from pointpred_observers.files import decoded, encoded
 from pointpred_observers.interconnected import design as interconnected
 from pointpred_observers.interconnected.design import FullOrderObserver
-from pointpred_observers.proofs.affine import Affine, Multipliers, reach
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.solver import Affine, reach
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.reversed_certificate import certified_convergence
 from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
@@ -258,13 +258,12 @@ def test_the_rounding_of_p_m_counts_where_p_is_nearly_singular() -> None:
 
 def test_no_proof_reaches_beyond_the_rounding_of_the_coefficients() -> None:
     """The slope of P is 0 up to rounding: what it is in truth nobody knows."""
-    block = (np.array([[1.0]]), np.array([[[1e-16]]]))
-    floor, cap = (np.eye(1), -np.ones((1, 1, 1))), (-np.eye(1), np.ones((1, 1, 1)))
-    problem = Affine([block], [floor], [cap], np.zeros(1), np.eye(1), np.full(1, -np.inf), None, [(0, 1)])
-    one = np.eye(1)
-    assert 1e12 < reach(problem, Multipliers([one], [1e-16 * one], [0.0 * one])) < 1e33
-    grown = msgspec.structs.replace(problem, strict=[(np.array([[1.0]]), np.array([[[1.0]]]))])
-    assert reach(grown, Multipliers([one], [one], [0.0 * one])) < 1e17
+    slope, floor = (np.array([[1.0]]), np.array([[[1e-16]]])), (np.eye(1), -np.ones((1, 1, 1)))
+    none, one = np.full(1, -np.inf), np.eye(1)
+    problem = Affine([slope, floor], 1, np.zeros(1), one, none, None, [(0, 1)])
+    assert 1e12 < reach(problem, [one, 1e-16 * one]) < 1e33
+    grown = msgspec.structs.replace(problem, blocks=[(np.array([[1.0]]), np.array([[[1.0]]])), floor])
+    assert reach(grown, [one, one]) < 1e17
 
 
 @pytest.mark.parametrize(

@@ -15,22 +15,18 @@ from pointpred_observers import invariant_observer
 from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.examples import UNMEASURED, academic, chua_circuits, two_masses
 from pointpred_observers.interconnected.design import DrivenObserver
-from pointpred_observers.proofs import matrix_inequalities
-from pointpred_observers.proofs.affine import Affine, largest_margin, reach, scaled
-from pointpred_observers.proofs.audit import Inequalities
+from pointpred_observers.proofs import matrix_inequalities, solver
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.solver import CAP, Answer, run
+from pointpred_observers.proofs.solver import Affine, Answer, reach, run
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.thesis import certify_convergence
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 
-def lyapunov(a: Any, **bounds: float) -> MatrixInequalities:
+def lyapunov(a: Any) -> MatrixInequalities:
     return (
-        MatrixInequalities("Lyapunov", **bounds)
-        .positive("P", len(a))
-        .below("A'P + PA", lambda v: a.T @ v.P + v.P @ a)
+        MatrixInequalities("Lyapunov").positive("P", len(a)).below("A'P + PA", lambda v: a.T @ v.P + v.P @ a)
     )
 
 
@@ -61,14 +57,14 @@ def test_infeasible_is_not_undecided() -> None:
     with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
         lyapunov(np.diag([-1.0, 0.1])).solve()
     with pytest.raises(UndecidedError, match="no P with a condition number below"):
-        lyapunov(np.array([[-1.0, 1e6], [0.0, -1.0]]), kappa=1e8).solve()
+        lyapunov(np.array([[-1.0, 2e6], [0.0, -1.0]])).solve()
 
 
 def test_a_solver_that_lies_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     def lie(problem: Affine, *, margin: float | None) -> Answer:
         return Answer("optimal", np.array([1.0, 0.0, 1.0]), 1e-2, None)
 
-    monkeypatch.setattr(matrix_inequalities, "run", lie)
+    monkeypatch.setattr(solver, "run", lie)
     with pytest.raises(CertificateError, match=r"claims 0\.01, its matrices fail: A'P \+ PA has 0\.162"):
         lyapunov(np.array([[0.0, 1.0], [-2.0, -3.0]])).solve()
 
@@ -78,42 +74,36 @@ def test_multipliers_that_prove_nothing_leave_it_undecided(monkeypatch: pytest.M
         answer = run(problem, margin=margin)
         return Answer(answer.status, None, answer.claimed, None)
 
-    monkeypatch.setattr(matrix_inequalities, "run", mute)
+    monkeypatch.setattr(solver, "run", mute)
     with pytest.raises(UndecidedError, match=r"the solver proves nothing \(its status"):
         lyapunov(np.eye(2)).solve()
 
 
+def test_a_solver_that_panics_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The errors of a solver that is written in Rust are no exceptions of Python's."""
+    panic = type("PanicException", (BaseException,), {})
+
+    def solve(*given: Any, **settings: Any) -> None:
+        raise panic("Eigval error")
+
+    monkeypatch.setattr("cvxpy.Problem.solve", solve)
+    with pytest.raises(UndecidedError, match="its status: failed: Eigval error"):
+        lyapunov(-np.eye(2)).solve()
+
+
 @given(st.integers(0, 2**32 - 1))
 @settings(max_examples=20)
-def test_the_bound_of_the_margin_holds_for_every_choice(seed: int) -> None:
+def test_no_choice_within_the_reach_of_a_proof_satisfies_the_inequalities(seed: int) -> None:
     rng = np.random.default_rng(seed)
     a = rng.normal(size=(3, 3))
-    problem = lyapunov(a, kappa=100.0)
+    problem = lyapunov(a)
     affine = problem._numbers(None, 100.0)
-    scale = scaled(*problem.unknowns.coefficients("A'P + PA", problem.blocks["A'P + PA"]))[1]
-    answer = run(affine, margin=None)
-    bound = largest_margin(affine, answer.multipliers, 100.0, most=CAP)
-    excluded = reach(affine, answer.multipliers)
+    excluded = reach(affine, run(affine, margin=None).multipliers)
     for _ in range(30):
         factor = rng.normal(size=(3, 3))
         p = np.eye(3) + factor @ factor.T
-        reached, largest = problem.margins({"P": p})["A'P + PA"] / scale, np.linalg.eigvalsh(p).max()
-        assert reached <= bound + 1e-9 or largest > 100.0 or bound >= CAP - 1e-6
+        reached, largest = problem.margins({"P": p})["A'P + PA"], np.linalg.eigvalsh(p).max()
         assert reached < 0.0 or largest > excluded
-
-
-@given(st.integers(0, 2**32 - 1))
-@settings(max_examples=10)
-def test_the_bound_of_the_margin_is_tight_where_numbers_must_not_be_negative(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    a, e = rng.normal(size=(3, 3)) + np.eye(3), rng.normal(size=(3, 2))
-    problem = lyapunov(a, kappa=100.0).diagonal("D", 2).number("g")
-    problem.below("damped", lambda v: a.T @ v.P + v.P @ a - v.P + e @ v.D @ e.T + v.g * np.eye(3))
-    affine = problem._numbers(None, 100.0)
-    answer = run(affine, margin=None)
-    bound = largest_margin(affine, answer.multipliers, 100.0, most=CAP)
-    assert answer.claimed < 1e-3
-    assert answer.claimed - 1e-6 <= bound <= answer.claimed + 1e-4
 
 
 @given(st.integers(1, 5), st.integers(0, 2**32 - 1))
@@ -190,7 +180,7 @@ def test_an_answer_may_not_violate_what_a_printed_matrix_may(monkeypatch: pytest
     problem.below("P - Q", lambda v: v.P - v.Q, strict=False)
     assert problem.check({"P": 1.0, "Q": 1.0 - 1e-13})["P - Q"] < 0.0
     answer = Answer("optimal", np.array([1.0, 1.0 - 1e-13]), 0.0, None)
-    monkeypatch.setattr(MatrixInequalities, "_run", staticmethod(lambda *given: answer))
+    monkeypatch.setattr(matrix_inequalities, "answered", lambda *given: answer)
     with pytest.raises(UndecidedError):
         problem.solve()
 
@@ -200,7 +190,7 @@ def test_an_answer_too_large_for_a_symmetric_block_fails(monkeypatch: pytest.Mon
     problem = MatrixInequalities("large").number("a").number("b").positive("P", 1)
     problem.below("block", lambda v: np.array([[-2.0, v.a + v.b - v.b], [v.a, -2.0]]))
     answer = Answer("optimal", np.array([1.0, 1e20, 1.0]), 0.0, None)
-    monkeypatch.setattr(MatrixInequalities, "_run", staticmethod(lambda *given: answer))
+    monkeypatch.setattr(matrix_inequalities, "answered", lambda *given: answer)
     with pytest.raises(UndecidedError):
         problem.solve()
 
@@ -210,8 +200,8 @@ def test_an_equality_is_judged_by_its_own_terms(size: float) -> None:
     """Gamma = 1e8 is no excuse for a printed F that is off, nor is a first row of 1e8 for the second."""
     scale = np.diag([size, 1.0])
 
-    def off(by: float) -> Inequalities:
-        problem = Inequalities("print").symmetric("P", 2).symmetric("Gamma", 1)
+    def off(by: float) -> MatrixInequalities:
+        problem = MatrixInequalities("print").symmetric("P", 2).symmetric("Gamma", 1)
         return problem.equal("P S - F", lambda v: scale @ v.P @ [[1.0], [3.0]] - scale @ [[1.0], [3.0 + by]])
 
     values = {"P": np.eye(2), "Gamma": [[size]]}
@@ -264,7 +254,7 @@ def test_where_the_solver_fails_on_the_minimum_bisection_comes_near_it(
             return Answer("user_limit", None, -np.inf, None)
         return run(problem, margin=margin)
 
-    monkeypatch.setattr(matrix_inequalities, "run", stalled)
+    monkeypatch.setattr(solver, "run", stalled)
     reached = least()
     assert reached.gap == np.inf  # nothing is proved without multipliers
     assert wanted.objective <= reached.objective <= 1.1 * wanted.objective

@@ -16,7 +16,14 @@ from scipy.linalg import eigh, expm
 from scipy.special import erf
 
 from observers.tests.solvers import solved_by
-from pointpred.errors import CertificateError, EventError, EventOrderError, InfeasibleError, ParameterError
+from pointpred.errors import (
+    CertificateError,
+    EventError,
+    EventOrderError,
+    InfeasibleError,
+    ParameterError,
+    UndecidedError,
+)
 from pointpred_observers import SymbolicSystem, interlaced
 from pointpred_observers.examples import interlaced_states, oscillator
 from pointpred_observers.plants.symbolic import SymbolicSteadyState
@@ -97,6 +104,19 @@ def test_printed_matrices_are_audited() -> None:
         CertificateError, match=r"the matrix of \(4.16\) has the eigenvalue .* must lie below 0"
     ):
         theorem_4_4_1(A, C).check(printed | {"Gamma": [[0.3]]})
+
+
+@pytest.mark.parametrize("gain", [None, [[60.0], [9.36e12]]])
+def test_no_proof_within_some_condition_number_says_that_no_gain_exists(gain: Any) -> None:
+    """The gain makes the eigenvalues -30 +- 6i, only the P of it has a condition number of 1e22."""
+    with pytest.raises(UndecidedError, match="decay = 24 is too large for the arithmetic"):
+        certify(1e-10 * A, C, decay=24.0, gain=gain)
+
+
+@pytest.mark.parametrize(("gain", "decay"), [(None, 2.0), ([[4.0], [0.0]], 1.5)])
+def test_a_mode_that_never_shows_or_is_left_slow_is_proved_to_be_one(gain: Any, decay: float) -> None:
+    with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
+        certify([[0.0, 0.0], [0.0, -1.0]], C, decay=decay, gain=gain)
 
 
 def test_no_gain_is_returned_where_none_is_certified() -> None:

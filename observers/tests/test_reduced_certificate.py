@@ -197,8 +197,7 @@ def test_the_lipschitz_matrix_certifies_what_one_constant_does_not() -> None:
     """f sees one state only; gamma I, as printed, counts its slope for the other one as well."""
     one = Connection(
         Z=np.eye(2), S0=np.diag([0.95, 0.1]), S1=np.array([[0.3], [0.3]]), J=np.array([[0.0, 2.0]]),
-        B=np.zeros((2, 0)), O=np.zeros((2, 0)), R=np.zeros((1, 0)), residuals={}, unique=True,
-        onward=np.eye(2),
+        B=np.zeros((2, 0)), O=np.zeros((2, 0)), R=np.zeros((1, 0)), residuals={},
     )  # fmt: skip
     steepest = lipschitz(((-1.0, 1.0),), one.J)
     assert steepest.tolist() == [[0.0, 2.0]]

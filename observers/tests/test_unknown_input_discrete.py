@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from pointpred.errors import EventError, InfeasibleError, UndecidedError
 from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputSample
-from pointpred_observers.unknown_input.gains import discrete_gain
+from pointpred_observers.unknown_input.certificate import discrete_gain
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 NAN = np.nan

@@ -17,8 +17,7 @@ from pointpred_observers.plants.generator import Generator, fitted, require_same
 from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.nonlinearity import NAMED
 from pointpred_observers.plants.persidskii import Persidskii
-from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
-from pointpred_observers.proofs.error_system import sloped_system
+from pointpred_observers.proofs.error_system import DecayCertificate, certify_decay, sloped_system
 
 NEAR = 1e-6
 """Distance from 0 at which the derivative of f there is taken."""

@@ -44,12 +44,10 @@ from pointpred_observers.plants.entries import (
 from pointpred_observers.plants.generator import Fitted, Generator, fitted, require_same_nonlinearity
 from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
-from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region
-from pointpred_observers.proofs.definite import solved
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, region, solved
 from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import WORSE, Posed, search
-from pointpred_observers.proofs.stationary import cover, filter_start, middle
+from pointpred_observers.proofs.search import WORSE, Posed, cover, filter_start, middle, search
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, run, sampled
 

@@ -43,10 +43,14 @@ from pointpred_observers.plants.entries import (
 from pointpred_observers.plants.generator import Fitted, Generator, fitted, require_same_nonlinearity
 from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
-from pointpred_observers.proofs.bounds import ErrorBound
-from pointpred_observers.proofs.decay import DecayCertificate, certified_decay, certify_decay
-from pointpred_observers.proofs.definite import solved
-from pointpred_observers.proofs.error_system import ErrorSystem, sloped_system
+from pointpred_observers.proofs.bounds import ErrorBound, solved
+from pointpred_observers.proofs.error_system import (
+    DecayCertificate,
+    ErrorSystem,
+    certified_decay,
+    certify_decay,
+    sloped_system,
+)
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.search import Posed, search
 from pointpred_observers.simulations.result import Simulation

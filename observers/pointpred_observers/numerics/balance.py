@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -19,12 +19,10 @@ STEP_MOST = 4.0
 
 
 class Coordinates(msgspec.Struct, frozen=True):
-    """The units of the balanced equation, each in the user's.
+    """The units of the balanced equation, each in the user's: e = ``states`` e~, t = ``seconds`` t~.
 
     ``states`` of the error (q), ``outputs`` (p), ``values`` of f (k), ``arguments`` of f (r), and the unit of
     time, ``seconds``, 1 in discrete time.
-
-    A quantity in the user's units is its unit times the balanced one: e = ``states`` e~, t = ``seconds`` t~.
     """
 
     states: FloatArray
@@ -83,20 +81,16 @@ def balanced(
     """The coordinates in which e' = ``drift`` e + ``driven`` df, dy = ``seen`` e + ``shown`` df is balanced.
 
     df = f(s + ``inner`` e) - f(s). Each argument may be a stack of matrices, of which the largest entries
-    count. ``rates`` in 1/s, such as a required decay, are entries as well; they help to choose the unit of
-    time.
+    count. ``rates`` in 1/s, such as a required decay, are entries as well.
 
     Minimises the sum of m - log m over the entries m other than 0 (their distance from 1 after Itakura and
-    Saito) over all positive units. In the logarithms of the units it is convex and grows without bound in
-    every direction that changes an entry, also for a reducible matrix, so the balanced entries are unique:
-    the same whatever units were given. Units that no entry depends on stay as near to 1 as possible.
+    Saito) over all positive units: convex in their logarithms, with a unique minimum also for a reducible
+    matrix, whatever units were given. Units that no entry depends on stay as near to 1 as possible.
 
-    Only what needs a coupling is scaled by it. Each output has the states that it shows best, by the largest
-    entries in the user's units. An entry between states of different outputs counts only where these act on
-    each other, or where it lies above 1 otherwise: a weak coupling of two plants, each seen by its own
-    output, would else move their units apart by as much, and the gains with them. With one output, or none,
-    every entry counts. ``moved``, the matrix of inputs, does the same for a feedback; its own entries are not
-    balanced.
+    Each output has the states that it shows best, by the largest entries in the user's units. An entry
+    between states of different outputs counts only where these act on each other, or where it lies above 1
+    otherwise: a weak coupling of two plants would else move their units apart, and the gains with them.
+    ``moved``, the matrix of inputs, does the same for a feedback; its own entries are not balanced.
 
     In discrete time the unit of time is the step. There, and if ``plain``, f and its arguments keep theirs:
     theorems 3.3.2 and 3.2.3 weigh all components of f alike.
@@ -113,25 +107,32 @@ def balanced(
     c, d = _largest(seen, None, n), _largest(driven, n, None)
     h = _largest(inner, None, n)
     p, k, r = len(c), d.shape[1], len(h)
-    e = _largest(shown, p, k)
     spread = np.zeros((r, k))
     if slopes is not None and r == k:
         spread = np.diag([max(abs(low), abs(high)) for low, high in slopes])
-    x, y = 0, n
-    value, argument = n + p, n + p + k
-    clock = n + p + k + r
-    entries = _Entries(clock + 1)
-    tick = clock if time == "continuous" else None
-    if plain or time == "discrete":
-        entries.fixed = slice(value, clock)
-    entries.add(a, x, x, tick)
-    entries.add(c, y, x)
-    entries.add(d, x, value, tick)
-    entries.add(e, y, value)
-    entries.add(h, argument, x)
-    entries.add(spread, value, argument)
-    for one in rates:
-        entries.rate(one, tick)
+    x, y, value, argument, clock = 0, n, n + p, n + p + k, n + p + k + r
+    ticks = time == "continuous"
+    fixed = slice(value, clock) if plain or not ticks else slice(0, 0)
+    speeds = [(np.array([[max(one, 0.0)]]), 0, 0, True) for one in rates if ticks]
+    entries = _Entries([], [], [])
+    for sizes, row, column, timed in (
+        (a, x, x, ticks),
+        (c, y, x, False),
+        (d, x, value, ticks),
+        (_largest(shown, p, k), y, value, False),
+        (h, argument, x, False),
+        (spread, value, argument, False),
+        *speeds,
+    ):
+        for i, j in np.argwhere(sizes).tolist():
+            on = np.zeros(clock + 1)
+            on[row + i] -= 1.0
+            on[column + j] += 1.0
+            on[clock] += float(timed)
+            on[fixed] = 0.0
+            entries.rows.append(on)
+            entries.logs.append(float(np.log(sizes[i, j])))
+            entries.places.append((row + i, column + j))
     parts = np.zeros(clock, np.int64)
     if p:
         parts = entries.parts(clock, [(y + i, x + j, c[i, j]) for i, j in np.argwhere(c)])
@@ -139,41 +140,20 @@ def balanced(
         b = _largest(moved, n, None)
         # An input is not among the units: it counts as a node behind them.
         parts = entries.parts(clock, [(clock + i, x + j, b[j, i]) for j, i in np.argwhere(b)], onward=True)
-    units = np.exp(entries.apart(parts))
+    units = np.exp(entries.apart(parts, clock + 1))
     return Coordinates(
         units[x:y], units[y:value], units[value:argument], units[argument:clock], float(units[clock])
     )
 
 
-class _Entries:
+class _Entries(NamedTuple):
     """The logarithms of the entries, affine in the logarithms of the units."""
 
-    def __init__(self, units: int) -> None:
-        self.units = units
-        self.logs: list[float] = []
-        self.rows: list[FloatArray] = []
-        self.places: list[tuple[int, int]] = []
-        """The units of its row and of its column, by entry."""
-        self.fixed = slice(0, 0)
-        """Units that stay 1."""
-
-    def add(self, sizes: FloatArray, row: int, column: int, clock: int | None = None) -> None:
-        """The entries of a matrix; ``row`` and ``column`` are the places of its first units."""
-        for i, j in zip(*np.nonzero(sizes), strict=True):
-            on = np.zeros(self.units)
-            on[row + i] -= 1.0
-            on[column + j] += 1.0
-            if clock is not None:
-                on[clock] += 1.0
-            on[self.fixed] = 0.0
-            self.logs.append(float(np.log(sizes[i, j])))
-            self.places.append((row + int(i), column + int(j)))
-            self.rows.append(on)
-
-    def rate(self, value: float, clock: int | None) -> None:
-        """A rate in 1/s."""
-        if value > 0.0 and clock is not None:
-            self.add(np.array([[value]]), 0, 0, clock)
+    rows: list[FloatArray]
+    """What each unit adds."""
+    logs: list[float]
+    places: list[tuple[int, int]]
+    """The units of its row and of its column, by entry."""
 
     def parts(
         self, count: int, ends: list[tuple[int, int, float]], *, onward: bool = False
@@ -184,7 +164,7 @@ class _Entries:
         Each end has the state of its largest entry; ends with the same state are one. From there the largest
         entry that leads on is taken next, rates in units of the fastest.
         """
-        rates, logs = np.array(self.rows).reshape(-1, self.units)[:, -1], np.array(self.logs)
+        rates, logs = np.array([one[-1] for one in self.rows]), np.array(self.logs)
         fastest = logs[rates > 0.0].max(initial=-np.inf)
         sizes = np.exp(np.where(rates > 0.0, logs - fastest, logs)).tolist()
         labels = dict[int, int]()
@@ -203,7 +183,7 @@ class _Entries:
                 return np.array([labels.get(i, 0) for i in range(count)], np.int64)
             labels[found[1]] = labels[found[0]]
 
-    def apart(self, parts: NDArray[np.int64]) -> FloatArray:
+    def apart(self, parts: NDArray[np.int64], units: int) -> FloatArray:
         """The least logarithms, where an entry between two parts counts only if they need it.
 
         They do if the largest entries one way and the other have a product that is not small, which no unit
@@ -211,61 +191,56 @@ class _Entries:
         """
         ends = [(int(parts[i]), int(parts[j])) for i, j in self.places]
         kept = np.array([one == other for one, other in ends], bool)
-        matrix, start = np.array(self.rows).reshape(-1, self.units), np.array(self.logs)
-        logs = start + matrix @ self.least(kept)
+        matrix, start = np.array(self.rows).reshape(-1, units), np.array(self.logs)
+        logs = start + matrix @ _least(matrix, start, kept)
         largest = dict[tuple[int, int], float]()
         for pair, size in zip(ends, logs, strict=True):
             largest[pair] = max(float(size), largest.get(pair, -np.inf))
         both = [largest[pair] + largest.get(pair[::-1], -np.inf) > MUTUAL for pair in ends]
         kept |= np.array(both, bool)
         while True:
-            units = self.least(kept)
-            above = ~kept & (start + matrix @ units > 0.0)
+            found = _least(matrix, start, kept)
+            above = ~kept & (start + matrix @ found > 0.0)
             if not above.any():
-                return units
+                return found
             kept |= above
 
-    def least(self, kept: NDArray[np.bool_]) -> FloatArray:
-        """The logarithms of the units at the minimum over these entries, by damped Newton steps."""
-        if not kept.any():
-            return np.zeros(self.units)
-        matrix, start = np.array(self.rows)[kept], np.array(self.logs)[kept]
-        _, sizes, turned = np.linalg.svd(matrix, full_matrices=False)
-        moving = turned[sizes > 1e-9 * sizes[0]].T
-        if not moving.size:  # no unit changes an entry, as with one state in discrete time
-            return np.zeros(self.units)
-        slopes = matrix @ moving
-        at = np.linalg.lstsq(slopes, -start, rcond=None)[0]
-        for _ in range(STEPS_MOST):
-            m = np.exp(start + slopes @ at)
-            gradient = slopes.T @ (m - 1.0)
-            if np.abs(gradient).max() < 1e-12 * len(m):
-                break
-            # The second term keeps the step finite where every entry along a direction is tiny.
-            curvature = slopes.T @ (slopes * m[:, None]) + 1e-12 * np.eye(len(at))
-            step = _step(curvature, gradient)
-            at = at + _share(start + slopes @ at, slopes @ step) * step
-        return np.asarray(moving @ at, np.float64)
 
+def _least(rows: FloatArray, logs: FloatArray, kept: NDArray[np.bool_]) -> FloatArray:
+    """The logarithms of the units at the minimum over the entries ``kept``, by damped Newton steps.
 
-def _step(curvature: FloatArray, gradient: FloatArray) -> FloatArray:
-    """The Newton step; raises ParameterError where the numbers leave no direction to go on."""
-    try:
-        return np.asarray(np.linalg.solve(curvature, -gradient), np.float64)
-    except np.linalg.LinAlgError as failure:
-        raise ParameterError(
-            "the entries of the matrices and the decay lie too many powers of ten apart to compute with: "
-            "check the units of the largest and of the smallest"
-        ) from failure
-
-
-def _share(logs: FloatArray, change: FloatArray) -> float:
-    """The share of a change of the logarithms that lowers the sum."""
-    share = min(1.0, STEP_MOST / max(float(np.abs(change).max()), 1e-300))
-    before = float((np.exp(logs) - logs).sum())
-    while share > 1e-12 and float((np.exp(logs + share * change) - logs - share * change).sum()) > before:
-        share *= 0.5
-    return share
+    Raises ParameterError where the numbers leave no direction to go on.
+    """
+    if not kept.any():
+        return np.zeros(rows.shape[1])
+    matrix, start = rows[kept], logs[kept]
+    _, sizes, turned = np.linalg.svd(matrix, full_matrices=False)
+    moving = turned[sizes > 1e-9 * sizes[0]].T
+    if not moving.size:  # no unit changes an entry, as with one state in discrete time
+        return np.zeros(rows.shape[1])
+    slopes = matrix @ moving
+    at = np.linalg.lstsq(slopes, -start, rcond=None)[0]
+    for _ in range(STEPS_MOST):
+        now = start + slopes @ at
+        m = np.exp(now)
+        gradient = slopes.T @ (m - 1.0)
+        if np.abs(gradient).max() < 1e-12 * len(m):
+            break
+        # The second term keeps the step finite where every entry along a direction is tiny.
+        curvature = slopes.T @ (slopes * m[:, None]) + 1e-12 * np.eye(len(at))
+        try:
+            step = np.linalg.solve(curvature, -gradient)
+        except np.linalg.LinAlgError as failure:
+            raise ParameterError(
+                "the entries of the matrices and the decay lie too many powers of ten apart to compute with: "
+                "check the units of the largest and of the smallest"
+            ) from failure
+        change = slopes @ step
+        share = min(1.0, STEP_MOST / max(float(np.abs(change).max()), 1e-300))
+        while share > 1e-12 and (np.exp(now + share * change) - now - share * change).sum() > (m - now).sum():
+            share *= 0.5
+        at = at + share * step
+    return np.asarray(moving @ at, np.float64)
 
 
 def _largest(given: Any, rows: int | None = None, columns: int | None = None) -> FloatArray:

@@ -16,6 +16,8 @@ from pointpred_observers.numerics.matrices import TIMES, matrix, one_of
 
 SINGULAR = 1e-9
 """A singular value below this, relative to the matrices, counts as zero."""
+LOST = 3e-7
+"""The same of a mode that outputs do not show: repeated eigenvalues have half their digits only."""
 COMPONENTS_MOST = 8
 
 EPS, ROUNDINGS = float(np.finfo(np.float64).eps), 1e3
@@ -93,8 +95,8 @@ def undetectable(A: Any, C: Any, time: str = "continuous") -> list[complex]:
     return hidden(A, C, time, staying=True)
 
 
-def hidden(A: Any, C: Any, time: str, *, staying: bool = False) -> list[complex]:
-    """The eigenvalues of modes that do not appear in the output, or only of those ``staying``."""
+def hidden(A: Any, C: Any, time: str, *, staying: bool = False, least: float = LOST) -> list[complex]:
+    """The eigenvalues of modes that outputs show by at most ``least``, or only of those ``staying``."""
     one_of("time", time, TIMES)
     a = matrix("A", A, len(matrix("A", A)), len(matrix("A", A)))
     c = matrix("C", C, None, len(a))
@@ -105,18 +107,17 @@ def hidden(A: Any, C: Any, time: str, *, staying: bool = False) -> list[complex]
     size = float(np.linalg.norm(pairs[1][0], 2)) or 1.0
     for one in np.linalg.eigvals(pairs[1][0]).astype(np.complex128):
         stays = abs(one) >= 1.0 - SINGULAR if time == "discrete" else one.real >= -SINGULAR * size
-        if (stays or not staying) and all(_lost(one, *pair) for pair in pairs):
+        if (stays or not staying) and all(_shown(one, *pair) <= least for pair in pairs):
             modes.append(complex(one))
     return modes
 
 
-def _lost(value: complex, a: FloatArray, c: FloatArray) -> bool:
-    """Whether (s I - A; C) loses rank at an eigenvalue, with A and C scaled to 1."""
+def _shown(value: complex, a: FloatArray, c: FloatArray) -> float:
+    """The least singular value of (s I - A; C) at an eigenvalue, with A and C scaled to 1."""
     size = float(np.linalg.norm(a, 2)) or 1.0
     seen = (float(np.linalg.norm(c, 2)) if c.size else 0.0) or 1.0
     pencil = np.vstack([(value * np.eye(len(a)) - a) / size, c / seen])
-    # Repeated eigenvalues are computed to half their digits only.
-    return bool(np.linalg.svd(pencil, compute_uv=False)[-1] <= np.sqrt(SINGULAR) * 1e-2)
+    return float(np.linalg.svd(pencil, compute_uv=False)[-1])
 
 
 def require_detectable(a: FloatArray, c: FloatArray, time: str, pair: str) -> None:

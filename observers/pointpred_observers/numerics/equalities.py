@@ -40,13 +40,12 @@ def share_of_terms(
 ) -> float:
     """The largest share that an entry of a residual has of its own terms: 0 holds, 1 fails completely.
 
-    Entry by entry, so that no other row, column or equality hides that one fails, and no unit. What lies
-    within ``rounding`` counts as 0: a computed matrix holds 1e-17 where 0 is meant, which is all of its own
-    term and nothing beside the terms of its row, from which it was computed.
+    Entry by entry, so that no other row, column, equality or unit hides that one fails. What lies within
+    ``rounding`` counts as 0: a computed matrix holds 1e-17 where 0 is meant.
 
-    Parameters: ``residual`` (rows, columns); ``terms`` of the same shape, the sums of the absolute values of
-    the terms before they cancel; ``rounding`` of the same shape, by default that of the terms in ``units``
-    (columns,). NaN where an entry, or one of its terms, is not finite.
+    Parameters: ``residual``; ``terms``, the sums of the absolute values of the terms before they cancel;
+    ``rounding``, by default that of the terms in ``units`` (columns,); all (rows, columns). NaN where an
+    entry, or one of its terms, is not finite.
 
     >>> share_of_terms(np.array([[0.0, 4e-7]]), np.array([[1e7, 4e-7]]))
     1.0
@@ -71,13 +70,8 @@ def allowed(terms: FloatArray) -> FloatArray:
 
 def row_rounding(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
     """What is rounding of each entry: a share of the largest term of its row, in the unit of its column."""
-    return NO_DIGIT * row_terms(terms, units)
-
-
-def row_terms(terms: FloatArray, units: FloatArray | None = None) -> FloatArray:
-    """The largest term of each row, in the ``units`` (columns,) of each column; the shape of the terms."""
     columns = column_units(terms) if units is None else units
-    return np.asarray((terms / columns).max(axis=1, initial=0.0)[:, None] * columns, np.float64)
+    return NO_DIGIT * np.asarray((terms / columns).max(axis=1, initial=0.0)[:, None] * columns, np.float64)
 
 
 def column_units(stacked: FloatArray) -> FloatArray:
@@ -122,10 +116,9 @@ def jacobian(residuals: Callable[[FloatArray], FloatArray], at: FloatArray) -> F
 def nearest_solutions(residuals: Callable[[FloatArray], FloatArray], count: int) -> list[FloatArray]:
     """The least-squares ``count`` numbers of affine equalities, of least norm, without and with rounding.
 
-    Rows and columns are scaled to 1, and what the first solution leaves is solved for again: then the
-    residual of a row is small beside the row's own terms, not only beside those of the largest row. Numbers
-    that are rounding beside the largest one are 0 in the first solution; beside numbers in much smaller units
-    they may be more than rounding, and the second solution keeps them.
+    Rows and columns are scaled to 1, and what the first solution leaves is solved for again: the residual of
+    a row is then small beside its own terms. Numbers that are rounding beside the largest are 0 in the first
+    answer; in much smaller units they may be more, and the second keeps them.
     """
     slope = jacobian(residuals, np.zeros(count))
     columns = or_one(np.abs(slope).max(axis=0, initial=0.0))

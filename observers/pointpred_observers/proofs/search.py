@@ -1,11 +1,13 @@
 """The search for the matrices of a design or a proof: posed, solved, brought to the user's units, audited.
 
 A problem says its systems once, for ``balanced`` to choose units. It is posed in those units, and where that
-is better or fails in the user's own; its answer counts only if it passes an audit in the user's units.
+is better or fails in the user's own; its answer counts only if it passes an audit in the user's units. A
+search may begin at the P, gain and W of one equation of Riccati or Lyapunov, of which nothing is proved.
 """
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Mapping
 from types import SimpleNamespace
 from typing import Any, TypeVar
@@ -14,6 +16,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import CertificateError, InfeasibleError, UndecidedError
+from pointpred.records import FloatArray
 from pointpred_observers.numerics.balance import Coordinates
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.unknowns import Block
@@ -61,12 +64,13 @@ def search(
         v = SimpleNamespace(**found.values)
         matrices = {**found.values, **{name: function(v) for name, function in now.functions.items()}}
         try:
-            return audited(outward_all(matrices, now.units), np.inf if found.gap is None else found.gap)
+            outward = {name: matrices[name] / unit for name, unit in now.units.items() if name in matrices}
+            return audited(outward, np.inf if found.gap is None else found.gap)
         except (CertificateError, np.linalg.LinAlgError) as failure:
             # They passed in the units of the search: a CertificateError is for matrices of others.
             raise UndecidedError(
-                f"{failure}; the matrices of this design lie too close to the edge for the arithmetic, which "
-                "proves nothing: require less decay, or measure more states"
+                f"{failure}; that is too close to the edge for the arithmetic, which proves nothing: require "
+                "less decay, or measure more states"
             ) from failure
 
     return least_in_both(units, attempt, size, little)
@@ -78,11 +82,11 @@ def least_in_both(
     size: Callable[[T], Any] | None = None,
     little: float = LITTLE,
 ) -> T:
-    """What ``attempt`` finds in balanced units, or in the user's where that is smaller by more than a little.
+    """What ``attempt`` finds in balanced units, or in the user's where that is smaller by ``little``.
 
-    ``size`` is a logarithm, or several, all of which must be smaller by ``little``; without it the user's
-    units are tried only where the balanced ones fail. Where both fail it raises what ``attempt`` raised in
-    balanced units, InfeasibleError only where both did.
+    ``size`` is a logarithm, or several, all of which must be smaller; without it the user's units are tried
+    only where the balanced ones fail. Where both fail it raises what ``attempt`` raised in balanced units,
+    InfeasibleError only where both did.
     """
     found, failures = [], []
     for one in (units, units.plain):
@@ -101,17 +105,8 @@ def least_in_both(
     return found[-1]
 
 
-def at_decay(
-    decay: float | None,
-    slowest: float,
-    time: str,
-    attempt: Callable[[float], T],
-    name: Callable[[float], str] = "decay = {:g}".format,
-) -> T:
-    """What ``attempt`` finds at ``decay``, or at the largest share of the slowest corner's that has any.
-
-    ``name`` says in a refusal what was required, to which the unit is added.
-    """
+def at_decay(decay: float | None, slowest: float, time: str, attempt: Callable[[float], T]) -> T:
+    """What ``attempt`` finds at ``decay``, or at the largest share of the slowest corner's that has any."""
     tried = [-share * slowest for share in SHARES] if decay is None else [decay]
     for one in tried:
         try:
@@ -119,15 +114,78 @@ def at_decay(
         except (InfeasibleError, UndecidedError) as failure:
             if one == tried[-1]:
                 unit = "1/step" if time == "discrete" else "1/s"
-                raise type(failure)(f"{failure}; with {name(one)} {unit}") from failure
+                raise type(failure)(f"{failure}; with decay = {one:g} {unit}") from failure
     raise AssertionError
 
 
-def outward_all(values: Mapping[str, Any], units: Units) -> dict[str, Any]:
-    """Matrices of balanced inequalities in the user's units."""
-    return {name: values[name] / unit for name, unit in units.items() if name in values}
+def filter_start(
+    a: FloatArray, c: FloatArray, decay: float, time: str
+) -> tuple[FloatArray, FloatArray] | None:
+    """P >= I and U = P L of the stationary Kalman filter of e' = a e, y = c e, made to decay at ``decay``.
+
+    The covariance of its noises is the unit matrix; the filter is that of a + ``decay`` I, or of
+    exp(``decay``) a in discrete time. ``None`` where the equation has no solution or its solver fails.
+
+    Reference: Anderson, Moore 1971, section 4.1, for the rate.
+    """
+    from scipy.linalg import solve_continuous_are, solve_discrete_are
+
+    one, noise = np.eye(len(a)), np.eye(len(c))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what is ill-conditioned is audited later
+        try:
+            if time == "discrete":
+                faster = np.exp(decay) * a
+                x = solve_discrete_are(faster.T, c.T, one, noise)
+                gain = np.exp(-decay) * faster @ x @ c.T @ np.linalg.inv(c @ x @ c.T + noise)
+            else:
+                x = solve_continuous_are((a + decay * one).T, c.T, one, noise)
+                gain = x @ c.T
+            p = normal(np.linalg.inv(x))
+        except (np.linalg.LinAlgError, ValueError):
+            return None
+    return None if p is None else (p, p @ gain)
 
 
-def inward_all(values: Mapping[str, Any], units: Units) -> dict[str, Any]:
-    """The inverse."""
-    return {name: values[name] * unit for name, unit in units.items() if name in values}
+def decay_start(a: FloatArray, decay: float, time: str) -> FloatArray | None:
+    """P >= I with which e' = a e decays at ``decay``; ``None`` where there is none."""
+    from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
+
+    one = np.eye(len(a))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what is ill-conditioned is audited later
+        try:
+            if time == "discrete":
+                return normal(solve_discrete_lyapunov(np.exp(decay) * a.T, one))
+            p = solve_continuous_lyapunov((a + decay * one).T, -one)
+            return normal(np.asarray(p, np.float64))
+        except (np.linalg.LinAlgError, ValueError):
+            return None
+
+
+def normal(p: FloatArray) -> FloatArray | None:
+    """A matrix divided by its least eigenvalue; ``None`` unless that is positive."""
+    symmetric: FloatArray = 0.5 * (p + p.T)
+    least = float(np.linalg.eigvalsh(symmetric)[0]) if np.isfinite(symmetric).all() else -1.0
+    return symmetric / least if least > 0.0 else None
+
+
+def middle(slopes: tuple[tuple[float, float], ...] | None) -> FloatArray:
+    """The middle of the slopes as a diagonal matrix."""
+    return np.diag([0.5 * (low + high) for low, high in slopes or ()])
+
+
+def cover(
+    weight: FloatArray, inner: FloatArray, slopes: tuple[tuple[float, float], ...] | None
+) -> FloatArray:
+    """A W >= sym(F D J) for every D within the slopes, F the ``weight`` and J the ``inner`` matrix.
+
+    The sum over the components of middle slope times M plus half the spread times abs(M), M = sym(F_i J_i).
+    """
+    whole: FloatArray = np.zeros((len(weight), len(weight)))
+    for i, (low, high) in enumerate(slopes or ()):
+        one = np.outer(weight[:, i], inner[i])
+        values, vectors = np.linalg.eigh(0.5 * (one + one.T))
+        sizes = 0.5 * (low + high) * values + 0.5 * (high - low) * np.abs(values)
+        whole = whole + (vectors * sizes) @ vectors.T
+    return 0.5 * (whole + whole.T)

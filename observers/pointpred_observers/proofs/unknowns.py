@@ -35,45 +35,42 @@ class Unknown(msgspec.Struct, frozen=True):
     low: float
     """Least value of each entry: 0 for diagonals and numbers that must not be negative."""
 
-    @property
-    def count(self) -> int:
-        """Its number of entries in the vector."""
-        if self.kind == "symmetric":
-            return self.rows * (self.rows + 1) // 2
-        return self.rows if self.kind == "diagonal" else self.rows * self.columns
-
     def matrix(self, numbers: FloatArray) -> Any:
-        """The matrix (or the number) from its entries."""
+        """The matrix (or the number) from its entries in the vector."""
         if self.kind == "number":
             return float(numbers[0])
-        if self.kind == "diagonal":
-            return np.diag(numbers)
-        if self.kind == "free":
-            return numbers.reshape(self.rows, self.columns)
-        matrix = np.zeros((self.rows, self.rows))
-        above, right = _triangle(self.rows)
-        matrix[above, right] = numbers
-        matrix[right, above] = numbers
-        return matrix
+        found, (row, column) = np.zeros((self.rows, self.columns)), _places(self)
+        found[row, column] = numbers
+        if self.kind == "symmetric":
+            found[column, row] = numbers
+        return found
 
     def numbers(self, matrix: Any) -> FloatArray:
         """The entries of a matrix; raises ParameterError if its shape or its structure differs."""
         entries = matrices.matrix(self.name, matrix, self.rows, self.columns)
-        numbers = entries.reshape(-1)
-        if self.kind == "symmetric":
-            numbers = entries[_triangle(self.rows)]
-        elif self.kind == "diagonal":
-            numbers = np.diag(entries).copy()
+        numbers: FloatArray = entries[_places(self)]
         if not np.array_equal(np.atleast_2d(self.matrix(numbers)), entries):
             raise ParameterError(f"{self.name} must be {self.kind}, received {matrix!r}")
         return numbers
+
+
+@cache
+def _places(one: Unknown) -> tuple[Any, Any]:
+    """The row and the column of each of its numbers."""
+    if one.kind == "symmetric":
+        return np.triu_indices(one.rows)
+    row, column = np.indices((one.rows, one.columns)).reshape(2, -1)
+    kept = row == column if one.kind == "diagonal" else np.ones(len(row), bool)
+    return row[kept], column[kept]
 
 
 class Unknowns:
     """All unknown matrices in order, and the conversion between them and one vector."""
 
     def __init__(self) -> None:
-        self.listed: list[Unknown] = []
+        self.listed: dict[Unknown, slice] = {}
+        """Each with its place in the vector."""
+        self.count = 0
         self._kept: dict[str, tuple[Block, FloatArray, FloatArray]] = {}
         self._terms: dict[str, FloatArray] = {}
 
@@ -83,29 +80,12 @@ class Unknowns:
             raise ParameterError(
                 f"an unknown needs a new name that is an identifier, received {unknown.name!r}"
             )
-        self.listed.append(unknown)
-
-    @property
-    def count(self) -> int:
-        """Length of the vector."""
-        return sum(unknown.count for unknown in self.listed)
-
-    def place(self, name: str) -> int:
-        """Where the entries of a matrix begin in the vector."""
-        names = [one.name for one in self.listed]
-        return sum(one.count for one in self.listed[: names.index(name)])
-
-    def lows(self) -> FloatArray:
-        """The least value of each number."""
-        return np.concatenate([np.full(one.count, one.low) for one in self.listed])
+        start, self.count = self.count, self.count + len(_places(unknown)[0])
+        self.listed[unknown] = slice(start, self.count)
 
     def matrices(self, numbers: FloatArray) -> SimpleNamespace:
         """The matrices as attributes."""
-        found, start = SimpleNamespace(), 0
-        for one in self.listed:
-            setattr(found, one.name, one.matrix(numbers[start : start + one.count]))
-            start += one.count
-        return found
+        return SimpleNamespace(**{one.name: one.matrix(numbers[at]) for one, at in self.listed.items()})
 
     def numbers(self, matrices: dict[str, Any]) -> FloatArray:
         """The vector of some matrices; raises ParameterError for a missing, unknown or misshapen one."""
@@ -147,19 +127,18 @@ class Unknowns:
         return x0, basis
 
     def _probed(self, name: str, function: Callable[[Any], Any]) -> tuple[FloatArray, FloatArray]:
-        """The constant part and the slopes; only matrices that the function reads are probed."""
+        """The constant part and the slopes; only matrices that change the function are probed."""
         zero = vars(self.matrices(np.zeros(self.count)))
-        watched = Watched(zero)
-        constant: FloatArray = np.asarray(function(watched), np.float64)
+        constant: FloatArray = np.asarray(function(SimpleNamespace(**zero)), np.float64)
         slopes: FloatArray = np.zeros((self.count, *constant.shape))
-        start = 0
-        for one in self.listed:
-            if one.name in watched.seen:
-                for i, unit in enumerate(np.eye(one.count)):
-                    at = SimpleNamespace(**{**zero, one.name: one.matrix(unit)})
-                    slopes[start + i] = function(at) - constant
-            start += one.count
         point = np.cos(np.arange(1.0, self.count + 1.0))
+        for one, at in self.listed.items():
+
+            def moved(numbers: FloatArray, one: Unknown = one) -> Any:
+                return function(SimpleNamespace(**{**zero, one.name: one.matrix(numbers)}))
+
+            if not np.array_equal(moved(point[at]), constant):
+                slopes[at] = [moved(unit) - constant for unit in np.eye(at.stop - at.start)]
         expected = constant + np.tensordot(point, slopes, 1)
         error = np.abs(function(self.matrices(point)) - expected).max(initial=0.0)
         if not np.isfinite(error):
@@ -177,13 +156,10 @@ class Unknowns:
         """The size of each entry of a block, summed over its terms before they cancel."""
         constant, slopes = self.coefficients(name, block)
         largest = np.abs(numbers)
-        for one in self.listed:
+        for one, at in self.listed.items():
             if one.name in self._terms:
-                start = self.place(one.name)
-                own = largest[start : start + one.count]
-                own[:] = np.maximum(own, one.numbers(self._terms[one.name]))
-        terms: FloatArray = np.abs(constant) + np.tensordot(largest, np.abs(slopes), 1)
-        return terms
+                largest[at] = np.maximum(largest[at], one.numbers(self._terms[one.name]))
+        return np.asarray(np.abs(constant) + np.tensordot(largest, np.abs(slopes), 1))
 
     def computed(self, name: str, terms: FloatArray) -> None:
         """Give the sizes of the terms of a matrix that is computed, of which it may be a small difference."""
@@ -195,23 +171,6 @@ class Unknowns:
         terms = np.abs(constant) + np.tensordot(np.abs(numbers), np.abs(slopes), 1)
         left = np.asarray(block(self.matrices(numbers)), np.float64)
         return np.atleast_2d(left), np.atleast_2d(terms)
-
-    def value(self, name: str, block: Block, numbers: FloatArray) -> FloatArray:
-        """A block as a symmetric matrix; raises ParameterError if it is not."""
-        return symmetric(name, block(self.matrices(numbers)))
-
-
-class Watched:
-    """Matrices as attributes; records which were read."""
-
-    def __init__(self, matrices: dict[str, Any]) -> None:
-        self._matrices, self.seen = matrices, set[str]()
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in self._matrices:
-            raise AttributeError(f"there is no unknown matrix {name!r}, only {sorted(self._matrices)}")
-        self.seen.add(name)
-        return self._matrices[name]
 
 
 def symmetric(name: str, given: Any) -> FloatArray:
@@ -225,9 +184,3 @@ def symmetric(name: str, given: Any) -> FloatArray:
             f"{name} must be symmetric; it differs from its transpose by {skew:.3g}", field=name
         )
     return 0.5 * (value + value.T)
-
-
-@cache
-def _triangle(rows: int) -> tuple[Any, Any]:
-    """Rows and columns of the upper triangle."""
-    return np.triu_indices(rows)

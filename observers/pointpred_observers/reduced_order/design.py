@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+from functools import partial
+from math import exp
 from typing import Any, ClassVar
 
 import msgspec
@@ -10,14 +13,16 @@ import numpy as np
 from pointpred.errors import (
     CertificateError,
     InfeasibleError,
+    ParameterError,
     PointpredError,
     UndecidedError,
 )
 from pointpred.records import FloatArray
+from pointpred_observers.interconnected.design import symmetric
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage, like, same
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward, outward
 from pointpred_observers.numerics.eigenvalues import require_detectable, vertices
-from pointpred_observers.numerics.equalities import NO_DIGIT, TOLERANCE, without_rounding
+from pointpred_observers.numerics.equalities import NO_DIGIT, TOLERANCE, cleared, without_rounding
 from pointpred_observers.numerics.matrices import matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.entries import Functions, Values, finite, gap_of, matrices_of, plain
@@ -25,18 +30,19 @@ from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
-from pointpred_observers.proofs.search import WORSE, least_in_both, outward_all
-from pointpred_observers.proofs.stationary import filter_start
+from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
+from pointpred_observers.proofs.search import WORSE, cover, filter_start, least_in_both, middle
 from pointpred_observers.reduced_order.reversed_certificate import (
     Convergence,
+    Slopes,
     certified_convergence,
     certify_convergence,
+    lipschitz,
 )
 from pointpred_observers.reduced_order.reversed_connection import (
     InvariantDocument,
     InvariantObserver,
 )
-from pointpred_observers.reduced_order.upsilon import InjectionSearch, Split, split
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 
@@ -95,7 +101,6 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
 
         Continuous: the inequality of Theorem 3.3.1 with Xi = 2 ``decay`` P, linear in P, P Upsilon and W; of
         all Upsilon one with small Upsilon'P Upsilon. gamma is ``decay``, or, if none exists then, 1 % of it.
-        The certificate is then computed separately.
 
         Parameters: ``Pi`` (n - p, n), by default a basis of the unmeasured part, and where rounding leaves
         the design undecided in it, one whose axes are those of a stationary filter; ``decay`` of the error in
@@ -130,13 +135,11 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
 
             def designed(basis: Any, gamma: float) -> ReducedOrderObserver:
                 parts = split(inner, matrix("Pi", basis, None, plant.n) * units.states)
-                chosen, gap, near = _chosen(plant, parts, sloped, (decay, 2.0 * decay + gamma), units is even)
+                chosen, gap = _chosen(plant, parts, sloped, (decay, 2.0 * decay + gamma), units is even)
                 upsilon = chosen / units.outputs
                 try:
                     observer = InvariantObserver(plant, basis, upsilon, injection=True)
-                    certificate = certify_convergence(
-                        observer, decay=decay, gamma=gamma, times=None, near=near
-                    )
+                    certificate = certify_convergence(observer, decay=decay, gamma=gamma)
                 except InfeasibleError as failure:
                     # The equalities and the inequality hold for this Upsilon, as its choice has shown.
                     raise UndecidedError(
@@ -223,6 +226,51 @@ class ReducedOrderDocument(InvariantDocument, tag="reduced-order observer", froz
         return ReducedOrderObserver(observer, observer.chosen["Upsilon"], convergence, gap_of(self.gap))
 
 
+class Split(msgspec.Struct, frozen=True):
+    """The plant in the coordinates (Pi x, y): the observer's matrices are affine in Upsilon.
+
+    S0 = ``drift`` + Upsilon ``seen``, S1 = ``driven`` + Upsilon ``shown``, J = ``inner``.
+    """
+
+    drift: FloatArray
+    seen: FloatArray
+    driven: FloatArray
+    shown: FloatArray
+    inner: FloatArray
+
+    def inward(self, units: Coordinates) -> Split:
+        """The same in these units."""
+        x, y, f, t = units.states, units.outputs, units.values, units.seconds
+        return Split(
+            inward(self.drift, x, x, t),
+            inward(self.seen, y, x),
+            inward(self.driven, x, f, t),
+            inward(self.shown, y, f),
+            inward(self.inner, units.arguments, x),
+        )
+
+
+def split(plant: Persidskii, Pi: Any) -> Split:
+    """The plant with its outputs as coordinates; raises ParameterError where that is impossible."""
+    if plant.C1.any():
+        raise ParameterError("a reduced-order design needs y = C0 x, received C1 other than 0")
+    q = plant.n - plant.p
+    if q < 1:
+        raise ParameterError(f"all {plant.n} states are measured by {plant.p} outputs: nothing to observe")
+    pi = matrix("Pi", Pi, q, plant.n)
+    both = np.vstack([pi, plant.C0])
+    least = float(np.linalg.svd(both, compute_uv=False)[-1])
+    if least <= 1e-9 * float(np.linalg.norm(both, 2)):
+        raise ParameterError(
+            f"the rows of Pi and C0 must be independent, their least singular value is {least:.3g}"
+        )
+    inverse = np.linalg.inv(both)
+    inverse = without_rounding(inverse, np.abs(inverse) @ np.abs(both) @ np.abs(inverse), share=NO_DIGIT)
+    hidden = inverse[:, :q]
+    products = (pi, plant.A0, hidden), (plant.C0, plant.A0, hidden), (pi, plant.A1), (plant.C0, plant.A1)
+    return Split(*(cleared(factors, share=NO_DIGIT) for factors in (*products, (plant.H, hidden))))
+
+
 def _turned(plant: Persidskii, decay: float) -> FloatArray | None:
     """The unmeasured part turned to the axes of the stationary filter's P, if there is a filter.
 
@@ -254,13 +302,9 @@ def _inward(plant: Persidskii, units: Coordinates) -> Persidskii:
 
 
 def _chosen(
-    plant: Persidskii,
-    parts: Split,
-    sloped: bool,
-    rates: tuple[float, float],
-    balancing: bool,
-) -> tuple[FloatArray, float, dict[str, Any]]:
-    """Upsilon, its gap and its P, by balanced units or those of ``parts``; ``rates`` of e and of V."""
+    plant: Persidskii, parts: Split, sloped: bool, rates: tuple[float, float], balancing: bool
+) -> tuple[FloatArray, float]:
+    """Upsilon and its gap, by balanced units or those of ``parts``; ``rates`` of e and of V."""
     units = balanced(
         parts.drift,
         seen=parts.seen,
@@ -272,19 +316,104 @@ def _chosen(
         time=plant.time,
     )
 
-    def made(units: Coordinates) -> tuple[FloatArray, float, dict[str, Any]]:
+    def made(units: Coordinates) -> tuple[FloatArray, float]:
         x, t, slopes = units.states, units.seconds, units.slopes(plant.slopes)
         corners = vertices(slopes) if sloped else {}
-        choice = InjectionSearch(parts.inward(units), corners, slopes, plant.time, rates[1] * t)
-        upsilon, gap, proof = choice.made()
-        form = np.outer(x, x)
-        return (
-            outward(upsilon, x, units.outputs, t),
-            gap,
-            outward_all(proof, {"P": form, "W": t * form, "alpha": 1.0}),
-        )
+        upsilon, gap = _injection(parts.inward(units), corners, slopes, plant.time, rates[1] * t)
+        return outward(upsilon, x, units.outputs, t), gap
 
     return least_in_both(units, made) if balancing else made(units.plain)
+
+
+def _injection(
+    parts: Split, corners: dict[str, FloatArray], slopes: Slopes, time: str, rate: float
+) -> tuple[FloatArray, float]:
+    """An Upsilon with a small output injection, and the gap of its size.
+
+    One P proves V' <= -``rate`` V (V+ <= exp(-``rate``) V in discrete time) at the ``corners`` of the slopes,
+    none if f does not matter: an inequality that is linear in P and U = P Upsilon.
+    """
+    q, p = len(parts.drift), len(parts.seen)
+    modes = [
+        np.linalg.eigvals(parts.drift + parts.driven @ corner @ parts.inner)
+        for corner in corners.values() or [np.zeros((parts.driven.shape[1], len(parts.inner)))]
+    ]
+    slowest, most = np.real(modes).max(), -0.5 * rate
+    if time == "discrete":
+        slowest, most = np.abs(modes).max(), exp(most)
+    if slowest < most:
+        with suppress(InfeasibleError, UndecidedError, CertificateError):
+            _problem(parts, corners, slopes, time, rate, False).solve()
+            return np.zeros((q, p)), 0.0
+    problem = _problem(parts, corners, slopes, time, rate, True).number("size")
+    problem.above(
+        "size - U' P^-1 U", lambda v: np.block([[v.size * np.eye(p), v.U.T], [v.U, v.P]]), strict=False
+    )
+    solution = problem.solve(minimise=lambda v: v.size, near=_start(parts, corners, slopes, time, rate))
+    upsilon = np.asarray(np.linalg.solve(solution.values["P"], solution.values["U"]))
+    return upsilon, np.inf if solution.gap is None else solution.gap
+
+
+def _start(
+    parts: Split, corners: dict[str, FloatArray], slopes: Slopes, time: str, rate: float
+) -> dict[str, Any] | None:
+    """The matrices of the stationary filter at the middle of the slopes."""
+    slope = np.zeros((parts.driven.shape[1], len(parts.drift)))
+    if corners:
+        slope = np.asarray(middle(slopes) @ parts.inner)
+    start = filter_start(
+        parts.drift + parts.driven @ slope, parts.seen + parts.shown @ slope, 0.5 * rate, time
+    )
+    if start is None:
+        return None
+    p, u = start
+    values: dict[str, Any] = {"P": p, "U": -u, "size": 1.1 * np.linalg.norm(u.T @ np.linalg.solve(p, u), 2)}
+    if time == "discrete":
+        values["alpha"] = 1.0
+    elif corners:
+        values["W"] = cover(p @ parts.driven - u @ parts.shown, parts.inner, slopes)
+    return values
+
+
+def _problem(
+    parts: Split, corners: dict[str, FloatArray], slopes: Slopes, time: str, rate: float, injected: bool
+) -> MatrixInequalities:
+    """Theorem 3.3.1 without delta, 2 sym(P S0) + 2 W + rate P < 0, or the LMI of Theorem 3.3.2."""
+    q, k = parts.driven.shape
+    problem = MatrixInequalities("choice of Upsilon" if injected else "analysis").positive("P", q)
+    if injected:
+        problem.free("U", q, len(parts.seen))
+
+    def closed(v: Any, first: FloatArray, second: FloatArray) -> FloatArray:
+        return np.asarray(v.P @ first + v.U @ second if injected else v.P @ first)
+
+    def sector(v: Any, within: FloatArray) -> FloatArray:
+        return np.asarray(v.W - symmetric(closed(v, parts.driven, parts.shown) @ within))
+
+    def dissipation(v: Any) -> FloatArray:
+        onward = 2.0 * symmetric(closed(v, parts.drift, parts.seen)) + rate * v.P
+        return np.asarray(onward + 2.0 * v.W if corners else onward)
+
+    if time == "continuous":
+        if corners:
+            problem.symmetric("W", q)
+        for name, corner in corners.items():
+            problem.above(
+                f"W - sym(F D J), D = diag({name})",
+                partial(sector, within=corner @ parts.inner),
+                strict=False,
+            )
+        return problem.below("the inequality", dissipation)
+    steepest, keep = lipschitz(slopes, parts.inner), exp(-rate)
+
+    def block(v: Any) -> FloatArray:
+        diagonal = np.zeros((q + k, q + k))
+        diagonal[:q, :q] = v.alpha * steepest.T @ steepest - keep * v.P
+        diagonal[q:, q:] = -v.alpha * np.eye(k)
+        onward = np.hstack([closed(v, parts.drift, parts.seen), closed(v, parts.driven, parts.shown)])
+        return np.block([[diagonal, onward.T], [onward, -v.P]])
+
+    return problem.number("alpha").below("the LMI", block)
 
 
 def _unmeasured(plant: Persidskii) -> FloatArray:

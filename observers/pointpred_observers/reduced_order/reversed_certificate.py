@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import expm1
+from functools import partial
 from typing import Any
 
 import msgspec
@@ -20,15 +20,15 @@ from pointpred_observers.plants.persidskii import Persidskii, column, row
 from pointpred_observers.proofs.bounds import (
     ErrorBound,
     decay_of,
+    decay_share,
     eigenvalues,
     least_ratio,
     proved_bound,
     region,
 )
+from pointpred_observers.proofs.error_system import dissipation
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import Posed, at_decay, inward_all, search
-from pointpred_observers.proofs.stationary import cover, decay_start, middle, normal
-from pointpred_observers.proofs.unknowns import Block
+from pointpred_observers.proofs.search import Posed, at_decay, cover, decay_start, middle, search
 from pointpred_observers.reduced_order.reversed_connection import Connection, InvariantObserver
 
 Slopes = tuple[tuple[float, float], ...] | None
@@ -37,14 +37,12 @@ Slopes = tuple[tuple[float, float], ...] | None
 class Convergence(msgspec.Struct, frozen=True):
     """A certificate that the invariant solution attracts the observer's state.
 
-    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` recomputed from them, the
-    ``bound`` of the error for a disturbance delta of the observer's equation. It holds while the arguments
-    of f, ``J`` times the error beside the true ones, stay within ``domain``. ``gap``: how far the least
-    condition number of P in balanced units (in discrete time plus the size of Gamma) could lie below that
-    of this one, relative to it.
+    ``values`` of P, Xi and the theorem's other matrices, the ``margins`` recomputed from them, the ``bound``
+    of the error for a disturbance delta of the observer's equation, while the arguments of f, ``J`` times the
+    error beside the true ones, stay within ``domain``. ``gap``: how far the least condition number of P in
+    balanced units (in discrete time plus the size of Gamma) could lie below this one, relative to it.
     """
 
-    theorem: str
     values: dict[str, Any]
     margins: dict[str, float]
     bound: ErrorBound
@@ -62,24 +60,22 @@ class Convergence(msgspec.Struct, frozen=True):
         )
 
     @classmethod
-    def of(
-        cls,
-        connections: list[Connection],
-        plant: Persidskii,
-        values: dict[str, Any],
-        margins: dict[str, float],
-        gap: float,
+    def audited(
+        cls, connections: list[Connection], plant: Persidskii, values: dict[str, Any], gap: float
     ) -> Convergence:
-        """What audited matrices prove."""
+        """What matrices prove; raises CertificateError naming the inequality that fails."""
+        theorem = _theorem(connections, plant.time, plant.slopes, values.get("gamma", 1.0))
+        matrices = {name: one for name, one in values.items() if name != "gamma"}
+        margins = theorem.check(matrices, printed=False)
         if plant.time == "discrete":
-            theorem, drive = "3.3.2", eigenvalues("Gamma", values["Gamma"])[-1]
+            drive = eigenvalues("Gamma", values["Gamma"])[-1]
         else:  # delta'P delta / gamma, with the factor that the print lacks
-            theorem, drive = "3.3.1", eigenvalues("P", values["P"])[-1] / values["gamma"]
+            drive = eigenvalues("P", values["P"])[-1] / values["gamma"]
         decay = decay_of(values["P"], values["Xi"], plant.time)
         bound = proved_bound(values["P"], decay, {"delta": drive}, plant.time)
         sloped = [one.J for one in connections if one.S1.any()]
         j = np.vstack(sloped) if sloped else np.zeros((0, len(connections[0].S0)))
-        return cls(theorem, values, margins, bound, j, plant.domain if sloped else np.inf, gap)
+        return cls(values, margins, bound, j, plant.domain if sloped else np.inf, gap)
 
 
 def theorem_3_3_1(
@@ -113,35 +109,29 @@ def theorem_3_3_1(
         problem.symmetric("W", q)
     corners = vertices(slopes) if sloped else {}
 
-    def sector(one: Connection, corner: FloatArray) -> Block:
-        return lambda v: v.W - symmetric(v.P @ one.S1 @ corner @ one.J)
+    def sector(one: Connection, corner: FloatArray, v: Any) -> FloatArray:
+        return np.asarray(v.W - symmetric(v.P @ one.S1 @ corner @ one.J))
 
-    def add(one: Connection, mark: str) -> None:
-        if F is not None:
-            f = matrix("F", F, q, one.S1.shape[1])
-            problem.equal(f"P S1 - F{mark}", lambda v: v.P @ one.S1 - f)
-        for name, corner in corners.items():
-            problem.above(
-                f"W - sym(F D J), D = diag({name}){mark}",
-                sector(one, corner),
-                strict=False,
-            )
-        problem.below(
-            f"the inequality{mark}",
-            lambda v: symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + (2.0 * v.W if sloped else 0.0),
-        )
+    def given(s1: FloatArray, f: FloatArray, v: Any) -> FloatArray:
+        return np.asarray(v.P @ s1 - f)
+
+    def decaying(one: Connection, v: Any) -> FloatArray:
+        within = 2.0 * v.W if sloped else 0.0
+        return np.asarray(symmetric(2.0 * v.P @ one.S0) + v.Xi + gamma * v.P + within)
 
     for i, one in enumerate(connections):
-        add(one, f" at {i}" if len(connections) > 1 else "")
+        mark = f" at {i}" if len(connections) > 1 else ""
+        if F is not None:
+            problem.equal(f"P S1 - F{mark}", partial(given, one.S1, matrix("F", F, q, one.S1.shape[1])))
+        for name, corner in corners.items():
+            bound = partial(sector, one, corner)
+            problem.above(f"W - sym(F D J), D = diag({name}){mark}", bound, strict=False)
+        problem.below(f"the inequality{mark}", partial(decaying, one))
     return problem
 
 
 def theorem_3_3_2(
-    observer: Any,
-    slopes: Any = None,
-    gamma: float | None = None,
-    *,
-    times: Sequence[float] | None = None,
+    observer: Any, slopes: Any = None, gamma: float | None = None, *, times: Sequence[float] | None = None
 ) -> MatrixInequalities:
     """The inequalities of Theorem 3.3.2 with a constant P.
 
@@ -152,20 +142,28 @@ def theorem_3_3_2(
     Raises ParameterError for a gamma below the norm of that L, where an observer has slopes.
     """
     connections, slopes = connections_of(observer, slopes, times)
-    bounds_of_f: list[Any] = [gamma] * len(connections)
-    if gamma is None:
-        bounds_of_f = [lipschitz(slopes, one.J) for one in connections]
-    elif isinstance(observer, InvariantObserver) and slopes is not None:
-        _require_lipschitz(positive("gamma", gamma), slopes, connections)
-    else:
+    if gamma is not None:
         positive("gamma", gamma)
     q = len(connections[0].S0)
     problem = MatrixInequalities("Theorem 3.3.2").positive("P", q).symmetric("Xi", q)
     problem.symmetric("Gamma", q).number("alpha").above("Xi > 0", lambda v: v.Xi)
 
-    for i, (one, constant) in enumerate(zip(connections, bounds_of_f, strict=True)):
+    for i, one in enumerate(connections):
+        if gamma is None:
+            steepest = lipschitz(slopes, one.J)
+        else:
+            steepest = gamma * np.eye(q)
+            implied = isinstance(observer, InvariantObserver) and slopes is not None and one.S1.any()
+            least = float(np.linalg.norm(lipschitz(slopes, one.J), 2)) if implied else 0.0
+            if gamma < least * (1.0 - NARROWER):
+                raise ParameterError(
+                    f"gamma must be at least {least:.6g}, which the slopes of f and J imply, received "
+                    f"{gamma:g}; leave it out, or pass the slopes of f where they are narrower",
+                    field="gamma",
+                    value=gamma,
+                )
         mark = f" at {i}" if len(connections) > 1 else ""
-        problem.below(f"the LMI{mark}", _next(one, constant), strict=False)
+        problem.below(f"the LMI{mark}", partial(_next, one, steepest), strict=False)
     return problem
 
 
@@ -175,18 +173,15 @@ def certify_convergence(
     decay: float | None = None,
     gamma: float | None = None,
     times: Sequence[float] | None = None,
-    near: dict[str, Any] | None = None,
 ) -> Convergence:
     """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
 
-    Assumes one P for all times; if matrices vary, ``times`` are required and only these are certified, not
-    the times between them. Theorem 3.3.2 uses only the Lipschitz constant of the nonlinearity: a steep f is
-    refused although it may help. Takes the P of least condition number (in discrete time, with a small
-    Gamma).
+    Assumes one P for all times; if matrices vary, ``times`` are required and only these are certified.
+    Theorem 3.3.2 uses only the Lipschitz constant of f: a steep f is refused although it may help. Takes the
+    P of least condition number (in discrete time, with a small Gamma).
 
     Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; by default
     a fraction of the slowest corner's; ``gamma`` of Theorem 3.3.1 in 1/s, > 0, by default ``decay``.
-    ``near`` matrices by name, P and then W or alpha, where the search may begin.
     Raises CertificateError for an equality that fails by more than the default tolerance, whatever the
     observer's; InfeasibleError naming the eigenvalue where S0 + S1 D J is unstable at a corner D of the
     slopes, before any solver runs; InfeasibleError, UndecidedError, CertificateError from the solver.
@@ -207,7 +202,12 @@ def certify_convergence(
             positive(name, given)
     connections = _held(instance("observer", observer, InvariantObserver), times)
     plant = observer.plant
-    slowest = max(_slowest(one, plant) for one in connections)
+    theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
+    corners = [("", one.S0) for one in connections if not one.S1.any()]
+    for one in (one for one in connections if one.S1.any()):
+        slopes = vertices(plant.slopes).items()
+        corners += [(f"D = diag({name})", one.S0 + one.S1 @ d @ one.J) for name, d in slopes]
+    slowest = require_decay(corners, plant.time, f"Theorem {theorem}: S0 + S1 D J")
 
     def certified(rate: float) -> Convergence:
         scale, share = gamma or rate, decay_share(rate, plant.time)
@@ -234,8 +234,7 @@ def certify_convergence(
                 )
             form = np.outer(x, x)
             measured = {"P": form, "Xi": t * form, "W": t * form, "Gamma": form, "alpha": 1.0}
-            given = inward_all(near or {}, measured)
-            start = _start(inner, plant.time, slopes, (rate * t, scale * t), given)
+            start = _start(inner, plant.time, slopes, (rate * t, scale * t))
             return Posed(problem, measured, lambda v: v.bound + getattr(v, "noise", 0.0), start)
 
         def audited(values: dict[str, Any], gap: float) -> Convergence:
@@ -243,10 +242,9 @@ def certify_convergence(
             missing = share - least_ratio(values["P"], values["Xi"])
             if missing > 0.0:
                 values["Xi"] = values["Xi"] + 2.0 * missing * values["P"]
-            margins = _theorem(connections, plant.time, plant.slopes, scale).check(values, printed=False)
             if plant.time == "continuous":
                 values["gamma"] = scale
-            return Convergence.of(connections, plant, values, margins, gap)
+            return Convergence.audited(connections, plant, values, gap)
 
         units = balanced(
             [one.S0 for one in connections],
@@ -258,11 +256,7 @@ def certify_convergence(
         )
         return search(units, posed, audited, lambda one: 0.5 * float(np.log(np.linalg.cond(one.values["P"]))))
 
-    def required(rate: float) -> str:
-        unit = "1/step" if plant.time == "discrete" else "1/s"
-        return f"decay = {rate:g} {unit} and gamma = {gamma or rate:g}"
-
-    return at_decay(decay, slowest, plant.time, certified, required)
+    return at_decay(decay, slowest, plant.time, certified)
 
 
 def certified_convergence(
@@ -272,13 +266,22 @@ def certified_convergence(
 
     Raises CertificateError naming the equality or the inequality that fails.
     """
-    connections = _held(observer, None)
-    matrices = {name: one for name, one in values.items() if name != "gamma"}
-    if observer.plant.time == "discrete":
-        margins = theorem_3_3_2(observer).check(matrices, printed=False)
-    else:
-        margins = theorem_3_3_1(observer, gamma=values["gamma"]).check(matrices, printed=False)
-    return Convergence.of(connections, observer.plant, dict(values), margins, gap)
+    return Convergence.audited(_held(observer, None), observer.plant, dict(values), gap)
+
+
+def _theorem(connections: list[Connection], time: str, slopes: Slopes, gamma: float) -> MatrixInequalities:
+    if time == "discrete":
+        return theorem_3_3_2(connections, slopes)
+    return theorem_3_3_1(connections, slopes, gamma)
+
+
+def _held(observer: InvariantObserver, times: Sequence[float] | None) -> list[Connection]:
+    """The matrices that are certified; raises CertificateError for an equality that does not hold."""
+    varying = "the observer" if observer.varying else ""
+    connections = [observer.at(t) for t in moments(varying, times, "certified")]
+    for one in connections:
+        one.require_equalities()
+    return connections
 
 
 def connections_of(
@@ -300,8 +303,8 @@ def connections_of(
         connections = observer
     else:
         raise ParameterError(
-            "a theorem of section 3.3 needs an InvariantObserver, or printed matrices {'S0': ..., 'S1': ..., "
-            f"'J': ...}}, received {observer!r:.80}",
+            "a theorem of section 3.3 needs an InvariantObserver, or printed matrices S0, S1 and J, "
+            f"received {observer!r:.80}",
             field="observer",
         )
     k = connections[0].S1.shape[1]
@@ -322,17 +325,7 @@ def _printed(given: Mapping[str, Any]) -> Connection:
             f"J has {len(j)} rows, needs {s1.shape[1]}, one for each column of S1", field="J"
         )
     none = np.zeros((q, 0))
-    return Connection(none, s0, s1, j, none, none, np.zeros((len(j), 0)), {}, True, none)
-
-
-def _held(observer: InvariantObserver, times: Sequence[float] | None) -> list[Connection]:
-    """The matrices that are certified; raises CertificateError for an equality that does not hold."""
-    connections = [
-        observer.at(t) for t in moments("the observer" if observer.varying else "", times, "certified")
-    ]
-    for one in connections:
-        one.require_equalities()
-    return connections
+    return Connection(none, s0, s1, j, none, none, np.zeros((len(j), 0)), {})
 
 
 def lipschitz(slopes: Slopes, j: FloatArray) -> FloatArray:
@@ -343,94 +336,39 @@ def lipschitz(slopes: Slopes, j: FloatArray) -> FloatArray:
     return np.asarray(steepest[:, None] * j, np.float64)
 
 
-def _require_lipschitz(gamma: float, slopes: Slopes, connections: list[Connection]) -> None:
-    """Raise ParameterError for a gamma that f exceeds, by its slopes, at one of the observer's matrices."""
-    for one in connections:
-        least = float(np.linalg.norm(lipschitz(slopes, one.J), 2)) if one.S1.any() else 0.0
-        if gamma < least * (1.0 - NARROWER):
-            raise ParameterError(
-                f"gamma must be at least {least:.6g}, which the slopes of f and J imply, received {gamma:g}; "
-                "leave it out, or pass the slopes of f where they are narrower",
-                field="gamma",
-                value=gamma,
-            )
-
-
-def _next(one: Connection, steepest: Any) -> Block:
+def _next(one: Connection, steepest: FloatArray, v: Any) -> FloatArray:
     """V(k+1) - V(k) + e'Xi e - delta'Gamma delta, with the terms of the Lipschitz constant."""
     q, k = one.S1.shape
-    share = steepest.T @ steepest if isinstance(steepest, np.ndarray) else steepest**2 * np.eye(q)
-    onward = np.hstack([one.S0, one.S1, -np.eye(q)])
-
-    def block(v: Any) -> FloatArray:
-        diagonal = np.zeros((2 * q + k, 2 * q + k))
-        diagonal[:q, :q] = v.Xi - v.P + v.alpha * share
-        diagonal[q : q + k, q : q + k] = -v.alpha * np.eye(k)
-        diagonal[q + k :, q + k :] = -v.Gamma
-        return np.asarray(diagonal + onward.T @ v.P @ onward)
-
-    return block
+    forces = np.zeros((k + q, k + q))
+    forces[:k, :k], forces[k:, k:] = -v.alpha * np.eye(k), -v.Gamma
+    own = v.Xi - v.P + v.alpha * (steepest.T @ steepest)
+    return dissipation(one.S0, np.hstack([one.S1, -np.eye(q)]), v.P, own, forces, "discrete")
 
 
 def _start(
-    connections: list[Connection],
-    time: str,
-    slopes: Slopes,
-    rates: tuple[float, float],
-    given: dict[str, Any],
+    connections: list[Connection], time: str, slopes: Slopes, rates: tuple[float, float]
 ) -> dict[str, Any] | None:
-    """Matrices of the theorem for a P that is given, or that of Lyapunov's equation at the middle slopes."""
+    """Matrices of the theorem for the P of Lyapunov's equation at the middle slopes."""
     one, sloped = connections[0], any(other.S1.any() for other in connections)
     (decay, gamma), discrete = rates, time == "discrete"
-    p = normal(given["P"]) if "P" in given else None
-    scale = 1.0 if p is None else p[0, 0] / given["P"][0, 0]
-    if p is None:
-        a = one.S0 + one.S1 @ middle(slopes) @ one.J if sloped else one.S0
-        p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
+    a = one.S0 + one.S1 @ middle(slopes) @ one.J if sloped else one.S0
+    p = decay_start(a, 1.01 * (decay if discrete else decay + 0.5 * gamma), time)
     if p is None:
         return None
     # Xi - share P is 0 to the last digit, which its audit accepts whatever the condition number of P.
     share = decay_share(decay, time)
     values: dict[str, Any] = {"P": p, "Xi": share * p, "bound": 2.0 * np.linalg.norm(p, 2)}
     if discrete:
-        alpha = scale * given["alpha"] if "alpha" in given else 1.0
         steepest = lipschitz(slopes, one.J)
         onward = np.hstack([one.S0, one.S1])
         rest = -onward.T @ p @ onward
         q = len(p)
-        rest[:q, :q] += p - values["Xi"] - alpha * steepest.T @ steepest
-        rest[q:, q:] += alpha * np.eye(len(rest) - q)
+        rest[:q, :q] += p - values["Xi"] - steepest.T @ steepest
+        rest[q:, q:] += np.eye(len(rest) - q)
         across = p @ onward
         room = p + 2.0 * across @ np.linalg.pinv(rest) @ across.T
-        values["alpha"], values["Gamma"] = alpha, symmetric(room) + p
+        values["alpha"], values["Gamma"] = 1.0, symmetric(room) + p
         values["noise"] = 2.0 * float(np.linalg.norm(values["Gamma"], 2))
     elif sloped:
-        values["W"] = scale * given["W"] if "W" in given else cover(p @ one.S1, one.J, slopes)
+        values["W"] = cover(p @ one.S1, one.J, slopes)
     return values
-
-
-def _theorem(
-    connections: list[Connection],
-    time: str,
-    slopes: Slopes,
-    gamma: float,
-) -> MatrixInequalities:
-    """The inequalities of the theorem."""
-    if time == "discrete":
-        return theorem_3_3_2(connections, slopes)
-    return theorem_3_3_1(connections, slopes, gamma)
-
-
-def decay_share(decay: float, time: str) -> float:
-    """The share of V that is lost in a unit of time: Xi must exceed so much of P."""
-    return -expm1(-2.0 * decay) if time == "discrete" else 2.0 * decay
-
-
-def _slowest(one: Connection, plant: Persidskii) -> float:
-    """The largest real part (log modulus) at a corner of the slopes; raises unless negative."""
-    corners = [("", one.S0)]
-    if one.S1.any():
-        slopes = vertices(plant.slopes).items()
-        corners = [(f"D = diag({name})", one.S0 + one.S1 @ d @ one.J) for name, d in slopes]
-    theorem = "3.3.2" if plant.time == "discrete" else "3.3.1"
-    return require_decay(corners, plant.time, f"Theorem {theorem}: S0 + S1 D J")

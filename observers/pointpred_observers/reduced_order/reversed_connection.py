@@ -22,12 +22,7 @@ from pointpred_observers.numerics.equalities import (
     summed,
     without_rounding,
 )
-from pointpred_observers.numerics.matrices import (
-    dimensions,
-    instance,
-    matrix,
-    share,
-)
+from pointpred_observers.numerics.matrices import dimensions, instance, matrix, share
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import PlantDocument
 from pointpred_observers.plants.entries import Document, Functions, Rows, entries
@@ -43,9 +38,7 @@ Given = Any
 class Connection(msgspec.Struct, frozen=True):
     """The observer's matrices at one time: w' = S0 w + S1 f(J w + R y) + B y + O u, with w = Z x invariant.
 
-    ``R`` is zero without injection. ``residuals`` of each equality, ``shares`` the same relative to its
-    terms; ``unique``: whether the equalities determine S0 and B.
-    ``onward`` is the Z of the next w: Z itself in continuous time.
+    ``R`` is zero without injection. ``residuals`` of each equality, ``shares`` of its terms.
     """
 
     Z: FloatArray
@@ -56,8 +49,6 @@ class Connection(msgspec.Struct, frozen=True):
     O: FloatArray
     R: FloatArray
     residuals: dict[str, float]
-    unique: bool
-    onward: FloatArray
     shares: dict[str, float] = {}
 
     def require_equalities(self) -> None:
@@ -74,9 +65,36 @@ class Connection(msgspec.Struct, frozen=True):
 
 
 class InvariantObserver(Observer):
-    """An observer with the invariant w = Pi x + Upsilon y; see ``invariant_observer``.
+    """The observer w' = S0 w + S1 f(Jw) + B y + O u that w = Pi x + Upsilon y solves for every x(0) and u.
 
-    Assumes y = C0 x + C1 f(Hx) without noise; that w converges to it needs a certificate.
+    Assumes y = C0 x + C1 f(Hx) without noise, and nothing about stability: that w converges needs a
+    certificate. If the equalities do not determine S0 and B (q + p > n), B is by default the one of least
+    norm, which need not give a stable observer.
+
+    With Z = Pi + Upsilon C0: Upsilon C1 = 0, J Z = H, S0 Z + B C0 = Z A0 + Z', S1 = Z A1 - B C1, O = Z
+    (B Q). In discrete time the Z before A0, A1 and the inputs is that of the next index, and there is
+    no Z'. ``injection`` weakens J Z = H to J Z + R C0 = H with f(J w + R y): the measured output within f,
+    which the thesis does not have. J is not needed if S1 = 0.
+
+    Parameters: ``Pi`` (q, n), ``Upsilon`` (q, p), ``B`` (q, p): arrays or functions of t (of the index);
+    ``rates`` in continuous time the derivatives of those of Pi, Upsilon and C0 that vary;
+    ``tolerance`` of a residual relative to the plant's largest entry, for matrices rounded in print: such an
+    observer runs, but a certificate needs the default. Raises InfeasibleError naming the violated equality
+    and its residual; ParameterError for a shape.
+
+    Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2, (3.20)-(3.25); C0, C1 and Q are its D0, D1 and Q.
+
+    >>> from pointpred_observers import Persidskii
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0], C0=[1.0, 0.0])
+    >>> now = invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]).at(0.0)
+    >>> now.S0.round(9).tolist(), now.B.round(9).tolist(), now.O.tolist()
+    ([[-4.0]], [[-12.0]], [[1.0]])
+    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -2.0], [1.0, 0.0], "sin", C0=[1.0, 0.0])
+    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]])  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: J (Pi + Upsilon C0) - H = 0 cannot hold: its residual is 0.5 ...
+    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]], injection=True).at(0.0).R.round(9).tolist()
+    [[1.0]]
     """
 
     kind: ClassVar[str] = "invariant"
@@ -86,7 +104,7 @@ class InvariantObserver(Observer):
         self,
         plant: Plant,
         Pi: Given,
-        Upsilon: Given,
+        Upsilon: Given = None,
         *,
         B: Given = None,
         injection: bool = False,
@@ -97,9 +115,18 @@ class InvariantObserver(Observer):
         self.plant, self.injection, self.tolerance = plant, injection, share("tolerance", tolerance)
         self._given = {"Pi": Pi, "Upsilon": np.zeros((0, 0)) if Upsilon is None else Upsilon, "B": B}
         self.q = len(matrix("Pi", _at(Pi, 0.0), None, plant.n))
-        self._rates = dict(instance("rates", {} if rates is None else rates, dict))
+        self._rates: dict[str, Any] = instance("rates", {} if rates is None else rates, dict)
         self.varying = bool(plant.varying) or any(callable(one) for one in self._given.values())
-        self._check_rates()
+        moving = {name for name in ("Pi", "Upsilon") if callable(self._given[name])}
+        if "C0" in plant.varying and not _empty(self._given["Upsilon"]):
+            moving.add("C0")
+        if foreign := set(self._rates) - {"Pi", "Upsilon", "C0"}:
+            raise ParameterError(f"rates may name Pi, Upsilon and C0, received {sorted(foreign)}")
+        missing = moving - set(self._rates)
+        if missing and plant.time == "continuous":
+            raise ParameterError(
+                f"{', '.join(sorted(missing))} vary in continuous time: give their derivatives in rates"
+            )
         self._latest = 0.0, self._connection(0.0)
 
     def at(self, t: float) -> Connection:
@@ -123,27 +150,16 @@ class InvariantObserver(Observer):
 
     def recovery(self, t: float) -> tuple[FloatArray, FloatArray]:
         """X, Y with x = X w + Y y on the invariant solution; raises ParameterError where there are none."""
-        now, plant = self.at(t), self.plant.matrices(t)
-        both = np.vstack([now.Z, plant["C0"]])
-        if plant["C1"].any():
-            raise ParameterError("the state is recovered linearly from w and y, which needs C1 = 0")
-        rank = np.linalg.matrix_rank(both, tol=1e-9 * max(1.0, float(np.abs(both).max())))
-        if rank < self.plant.n:
-            return self._recovery_beside_large_gains(t)
-        inverse = np.linalg.pinv(both)
-        onto, straight = inverse[:, : self.q], inverse[:, self.q :]
-        return np.asarray(onto, np.float64), np.asarray(straight, np.float64)
-
-    def _recovery_beside_large_gains(self, t: float) -> tuple[FloatArray, FloatArray]:
-        """The same from w - Upsilon y = Pi x: beside a large Upsilon C0 rounding takes that of Pi."""
         now, pi, upsilon, _ = self._maps(t)
+        if now["C1"].any():
+            raise ParameterError("the state is recovered linearly from w and y, which needs C1 = 0")
+        # From w - Upsilon y = Pi x: beside a large Upsilon C0 rounding would take that of Pi.
         both = np.vstack([pi, now["C0"]])
-        sizes = np.linalg.norm(both, axis=1, keepdims=True)
-        even = both / np.where(sizes > 0.0, sizes, 1.0)
-        rank = np.linalg.matrix_rank(even, tol=1e-9)
+        sizes = or_one(np.linalg.norm(both, axis=1, keepdims=True))
+        rank = np.linalg.matrix_rank(both / sizes, tol=1e-9)
         if rank < self.plant.n:
             raise ParameterError(f"w and y hold {rank} combinations of the {self.plant.n} states, not all")
-        inverse = np.linalg.pinv(even) / np.where(sizes > 0.0, sizes, 1.0).T
+        inverse = np.linalg.pinv(both / sizes) / sizes.T
         onto = inverse[:, : self.q]
         return onto, inverse[:, self.q :] - onto @ upsilon
 
@@ -154,18 +170,14 @@ class InvariantObserver(Observer):
         """
         plant, now, discrete = self.plant, self.plant.matrices(t), self.plant.time == "discrete"
         onto, straight = self.recovery(t)
-        inputs = plant.m + plant.z
         c, change = now["C0"], np.zeros((plant.p, plant.n))
         if discrete and self.varying:
             c = plant.matrices(t + 1)["C0"]
+        elif "C0" in self._rates:
+            change = self._rate("C0", t)
         elif "C0" in plant.varying:
-            if "C0" not in self._rates:
-                return (
-                    np.zeros((plant.p, self.q)),
-                    np.zeros((plant.p, plant.k)),
-                    np.zeros((plant.p, plant.p + inputs)),
-                )
-            change = matrix("C0'", self._rates["C0"](t), plant.p, plant.n)
+            v0, v1 = np.zeros((plant.p, self.q)), np.zeros((plant.p, plant.k))
+            return v0, v1, np.zeros((plant.p, plant.p + plant.m + plant.z))
         drift = c @ now["A0"] + change
         driven = c @ np.hstack([now["B"], now["Q"]])
         return drift @ onto, c @ now["A1"], np.hstack([drift @ straight, driven])
@@ -192,7 +204,7 @@ class InvariantObserver(Observer):
         now.require_equalities()
         return sloped_system(
             now.S0,
-            without_rounding(now.S1, now.onward @ plant.A1),
+            without_rounding(now.S1, now.Z @ plant.A1),
             now.J,
             {"delta": np.eye(self.q), "v": now.B},
             slopes=plant.slopes,
@@ -292,17 +304,16 @@ class InvariantObserver(Observer):
         upsilon = matrix("Upsilon", upsilon, self.q, self.plant.p)
         return now, pi, upsilon, cleared((pi,), (upsilon, now["C0"]), share=NO_DIGIT)
 
+    @np.errstate(all="ignore")  # what overflows is not finite, and refused
     def _connection(self, t: float) -> Connection:
-        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
-            return self._solved(t)
-
-    def _solved(self, t: float) -> Connection:
         now, _, upsilon, z = self._maps(t)
         discrete = self.plant.time == "discrete"
         onward = self._maps(t + 1)[3] if discrete and self.varying else z
         change = onward @ now["A0"]
         if not discrete:
-            change = change + self._rate(t, now, upsilon)
+            # Z' = Pi' + Upsilon' C0 + Upsilon C0'
+            change = change + self._rate("Pi", t) + self._rate("Upsilon", t) @ now["C0"]
+            change = change + upsilon @ self._rate("C0", t)
         given, both = self._given["B"], np.vstack([z, now["C0"]])
         if given is None:
             s0, b = np.split(_right(both, change), [self.q], axis=1)
@@ -333,40 +344,22 @@ class InvariantObserver(Observer):
             if residual > self.tolerance * size:
                 raise InfeasibleError(f"{name} = 0 cannot hold: its residual is {residual:.3g} at t = {t:g}")
         # In no unit may a large entry elsewhere, or the 1 above, hide that one of these fails.
-        units, before_f = column_units(both), {"Upsilon C1": upsilon, "R C1": r}
-        shares = {
-            name: _share_before_f(before_f[name], now["C0"], now["C1"])
-            if name in before_f
-            else share_of_terms(*one, units)
-            for name, one in left.items()
-        }
-        free = given is None and np.linalg.matrix_rank(both) < self.q + self.plant.p
+        units, gains = column_units(both), {"Upsilon C1": upsilon, "R C1": r}
+        shares = {}
+        for name, one in left.items():
+            before = gains.get(name)
+            shares[name] = share_of_terms(*one, units) if before is None else _share_before_f(before, now)
         inputs = onward @ np.hstack([now["B"], now["Q"]])
-        return Connection(z, s0, s1, j, b, inputs, r, residuals, not free, onward, shares)
+        return Connection(z, s0, s1, j, b, inputs, r, residuals, shares)
 
-    def _rate(self, t: float, now: dict[str, FloatArray], upsilon: FloatArray) -> FloatArray:
-        """Z' = Pi' + Upsilon' C0 + Upsilon C0', from the derivatives passed."""
-        total = np.zeros((self.q, self.plant.n))
-        if "Pi" in self._rates:
-            total += matrix("Pi'", self._rates["Pi"](t), self.q, self.plant.n)
-        if "Upsilon" in self._rates:
-            total += matrix("Upsilon'", self._rates["Upsilon"](t), self.q, self.plant.p) @ now["C0"]
-        if "C0" in self._rates:
-            total += upsilon @ matrix("C0'", self._rates["C0"](t), self.plant.p, self.plant.n)
-        return total
-
-    def _check_rates(self) -> None:
-        moving = {name for name in ("Pi", "Upsilon") if callable(self._given[name])}
-        if "C0" in self.plant.varying and not _empty(self._given["Upsilon"]):
-            moving.add("C0")
-        foreign = set(self._rates) - {"Pi", "Upsilon", "C0"}
-        if foreign:
-            raise ParameterError(f"rates may name Pi, Upsilon and C0, received {sorted(foreign)}")
-        missing = moving - set(self._rates)
-        if missing and self.plant.time == "continuous":
-            raise ParameterError(
-                f"{', '.join(sorted(missing))} vary in continuous time: give their derivatives in rates"
-            )
+    def _rate(self, name: str, t: float) -> FloatArray:
+        """The derivative of Pi, Upsilon or C0, zero where none was passed."""
+        rows, columns = (self.plant.p if name == "C0" else self.q), self.plant.n
+        if name == "Upsilon":
+            columns = self.plant.p
+        if name not in self._rates:
+            return np.zeros((rows, columns))
+        return matrix(f"{name}'", self._rates[name](t), rows, columns)
 
 
 class InvariantDocument(Document, tag="invariant observer", frozen=True):
@@ -391,47 +384,7 @@ class InvariantDocument(Document, tag="invariant observer", frozen=True):
         )
 
 
-def invariant_observer(
-    plant: Plant,
-    Pi: Given,
-    Upsilon: Given = None,
-    *,
-    B: Given = None,
-    injection: bool = False,
-    rates: dict[str, Callable[[float], Any]] | None = None,
-    tolerance: float = TOLERANCE,
-) -> InvariantObserver:
-    """The observer w' = S0 w + S1 f(Jw) + B y + O u that w = Pi x + Upsilon y solves for every x(0) and u.
-
-    Assumes nothing about stability. If the equalities do not determine S0 and B (q + p > n), B is by default
-    the one of least norm, which need not give a stable observer.
-
-    With Z = Pi + Upsilon C0: Upsilon C1 = 0, J Z = H, S0 Z + B C0 = Z A0 + Z', S1 = Z A1 - B C1, O = Z
-    (B Q). In discrete time the Z before A0, A1 and the inputs is that of the next index, and there is
-    no Z'. ``injection`` weakens J Z = H to J Z + R C0 = H with f(J w + R y): the measured output within f,
-    which the thesis does not have. J is not needed if S1 = 0.
-
-    Parameters: ``Pi`` (q, n), ``Upsilon`` (q, p), ``B`` (q, p): arrays or functions of t (of the index);
-    ``rates`` in continuous time the derivatives of those of Pi, Upsilon and C0 that vary;
-    ``tolerance`` of a residual relative to the plant's largest entry, for matrices rounded in print: such an
-    observer runs, but a certificate needs the default. Raises InfeasibleError naming the violated equality
-    and its residual; ParameterError for a shape.
-
-    Reference: Khalin 2022, Propositions 3.3.1 and 3.3.2, (3.20)-(3.25); C0, C1 and Q are its D0, D1 and Q.
-
-    >>> from pointpred_observers import Persidskii
-    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], None, None, "sin", B=[0.0, 1.0], C0=[1.0, 0.0])
-    >>> now = invariant_observer(plant, [[0.0, 1.0]], [[-3.0]]).at(0.0)
-    >>> now.S0.round(9).tolist(), now.B.round(9).tolist(), now.O.tolist()
-    ([[-4.0]], [[-12.0]], [[1.0]])
-    >>> plant = Persidskii([[0.0, 1.0], [0.0, -1.0]], [0.0, -2.0], [1.0, 0.0], "sin", C0=[1.0, 0.0])
-    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]])  # doctest: +ELLIPSIS
-    Traceback (most recent call last):
-    pointpred.errors.InfeasibleError: J (Pi + Upsilon C0) - H = 0 cannot hold: its residual is 0.5 ...
-    >>> invariant_observer(plant, [[0.0, 1.0]], [[-3.0]], injection=True).at(0.0).R.round(9).tolist()
-    [[1.0]]
-    """
-    return InvariantObserver(plant, Pi, Upsilon, B=B, injection=injection, rates=rates, tolerance=tolerance)
+invariant_observer = InvariantObserver
 
 
 def _empty(given: Given) -> bool:
@@ -457,8 +410,9 @@ def _right(a: FloatArray, b: FloatArray) -> FloatArray:
     return answer
 
 
-def _share_before_f(gain: FloatArray, c0: FloatArray, c1: FloatArray) -> float:
+def _share_before_f(gain: FloatArray, plant: dict[str, FloatArray]) -> float:
     """How much of f a gain of the outputs lets through, as a share of what it would without cancelling."""
+    c0, c1 = plant["C0"], plant["C1"]
     both = np.hstack([np.abs(c0) / column_units(c0), np.abs(c1)])
     outputs = or_one(both.max(axis=1, initial=0.0))
     most = (np.abs(gain) * outputs).max(axis=1, initial=0.0)[:, None]

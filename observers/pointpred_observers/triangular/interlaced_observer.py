@@ -16,13 +16,21 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
+from pointpred.errors import (
+    DivergenceError,
+    EventError,
+    EventOrderError,
+    InfeasibleError,
+    ParameterError,
+    UndecidedError,
+)
 from pointpred.records import BoolArray, FloatArray
 from pointpred.regression.least_squares import moment
 from pointpred_observers.interconnected.persidskii_law import STEPS_MOST
 from pointpred_observers.interconnected.persidskii_stage import MissingInputs, PersidskiiStage
 from pointpred_observers.numerics.balance import Coordinates, balanced, inward
-from pointpred_observers.numerics.eigenvalues import perron_root, require_detectable
+from pointpred_observers.numerics.eigenvalues import hidden, perron_root, require_detectable
+from pointpred_observers.numerics.equalities import NO_DIGIT
 from pointpred_observers.numerics.matrices import instance, matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import SteadyStateDocument
@@ -30,13 +38,10 @@ from pointpred_observers.plants.entries import Document, Functions, Values, fini
 from pointpred_observers.plants.expressions import parsed
 from pointpred_observers.plants.polynomials import symbolic
 from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
-from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
-from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
-from pointpred_observers.proofs.definite import solved
-from pointpred_observers.proofs.error_system import ErrorSystem
+from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, solved
+from pointpred_observers.proofs.error_system import DecayCertificate, ErrorSystem, certify_decay
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.proofs.search import Posed, search
-from pointpred_observers.proofs.stationary import filter_start
+from pointpred_observers.proofs.search import Posed, filter_start, search
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, Signal, run
 from pointpred_observers.triangular.forms import StateRegion, enclosure, interlaced, intervals_of
@@ -138,7 +143,15 @@ def certify(
         return Posed(problem, measured, lambda v: np.trace(v.P) + np.trace(v.Gamma) + SMALL * v.size, near)
 
     units = balanced(system, seen=output, rates=(decay,))
-    return search(units, posed, partial(InterlacedCertificate.audited, system, output))
+    try:
+        return search(units, posed, partial(InterlacedCertificate.audited, system, output))
+    except InfeasibleError as failure:
+        still = hidden(system, output, "continuous", least=NO_DIGIT)
+        modes = still if fixed is None else np.linalg.eigvals(system - fixed @ output).tolist()
+        if any(one.real >= -decay for one in modes):
+            raise
+        # Every faster error has a P (Lyapunov): the proof holds for condition numbers of the search only.
+        raise UndecidedError(f"decay = {decay:g} is too large for the arithmetic: {failure}") from failure
 
 
 def _start(a: FloatArray, c: FloatArray, decay: float) -> dict[str, Any] | None:

@@ -28,19 +28,22 @@ from pointpred_observers.plants.entries import (
     matrices_of,
     plain,
 )
-from pointpred_observers.plants.varying import (
-    CornerSystem,
-    ParameterVaryingSystem,
-    invariant_zeros,
-)
+from pointpred_observers.plants.varying import CornerSystem, ParameterVaryingSystem, invariant_zeros
 from pointpred_observers.plants.zeros import independent, kernel
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.search import least_in_both
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting, matrices_at, run, sampled, schedule_of
-from pointpred_observers.unknown_input.certificate import UnknownInputCertificate, audit, largest_decay
-from pointpred_observers.unknown_input.gains import ROOMS, discrete_gain, gain, lyapunov
+from pointpred_observers.unknown_input.certificate import (
+    ROOMS,
+    UnknownInputCertificate,
+    audit,
+    discrete_gain,
+    gain,
+    largest_decay,
+    lyapunov,
+)
 from pointpred_observers.unknown_input.stage import UnknownInputSample, UnknownInputStage
 
 OUTPUT_DECAY = 5.0
@@ -50,18 +53,17 @@ OUTPUT_DECAY = 5.0
 class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
     """The design of an observer that estimates the state of a system with unmeasured inputs.
 
-    Assumes that the scheduling variables stay in the box. It discards every output direction that an unknown
-    input reaches; the modes that are then unobserved, the invariant zeros, follow the model at their own
-    rate. With as many outputs as unknown inputs these are all modes: no measurement corrects the estimate.
+    Assumes that the scheduling variables stay in the box. The modes that are unobserved without the output
+    directions that an unknown input reaches, the invariant zeros, follow the model at their own rate. With as
+    many outputs as unknown inputs these are all modes: no measurement corrects the estimate.
 
     z' = N z + T b + L y, x_hat = z - E y, E = -F (C F)^+, T = I + E C, N = T A + T' - K C, L = K - N E.
     Then e = T x - z obeys e' = N e + T delta, delta = (A(p) - A(p_hat)) x: Theorem 1 with - W C in (27c). A
     discrete system has the next z, no T', and E and T of the step: T F = 0 where F d enters.
 
-    Made by ``design``; ``stage`` runs it. Memory: one gain per vertex, (vertices, n, p). Raises
-    ParameterError for invalid shapes, ranks and points; InfeasibleError if a zero reaches -decay, before any
-    solver runs, with the largest feasible decay; UndecidedError if no solver could decide; CertificateError
-    if recomputed eigenvalues fail.
+    Memory: one gain per vertex, (vertices, n, p). Raises ParameterError for invalid shapes, ranks and points;
+    InfeasibleError if a zero reaches -decay, before any solver runs, with the largest feasible decay;
+    UndecidedError if no solver could decide; CertificateError if recomputed eigenvalues fail.
 
     Reference: Benyoucef et al. 2021, equations (16) to (27), (44), corrected as docs/equations.md says.
 
@@ -97,8 +99,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
 
         ``box`` of the scheduling variables, by default that of a ``CornerSystem``; ``decay`` 1/s (1/step in
         discrete time), positive; ``output_decay`` 1/s, that of errors of the outputs themselves, by default 5
-        in the unit of time in which the system is balanced, so that the design does not depend on the unit of
-        time; in discrete time these end at the next step.
+        in the unit of time in which the system is balanced; in discrete time these end at the next step.
         """
         system = instance("plant", plant, ParameterVaryingSystem)
         discrete = system.time == "discrete"
@@ -134,23 +135,19 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
             failure = None
             for room in ROOMS:
                 p, gamma, gap = lyapunov(inner, inner_ts, c, decay * t, room, system.time)
-                if discrete:
-                    found = [discrete_gain(one, c, p) for one in inner]
-                else:
-                    found = [
-                        gain(one, on, c, p, gamma, decay * t, rate * t)
-                        for one, on in zip(inner, inner_ts, strict=True)
-                    ]
+                found = [
+                    discrete_gain(one, c, p) if discrete else gain(one, on, c, p, gamma, decay * t, rate * t)
+                    for one, on in zip(inner, inner_ts, strict=True)
+                ]
                 ks = np.array([outward(one @ rows.T, x, y, t) for one in found])
                 # In the user's units delta has the unit of a state in 1/s, and V' that of V in 1/s.
                 form = np.outer(x, x)
                 p, force = 0.5 * (p + p.T) / form, gamma * np.eye(len(p)) / form * t
                 try:
                     proof = audit(gammas, ts, system.c, p, ks, force, decay, zeros, system.time)
+                    return cls(system, box, ks, msgspec.structs.replace(proof, gap=gap))
                 except CertificateError as edge:
                     failure = edge
-                    continue
-                return cls(system, box, ks, msgspec.structs.replace(proof, gap=gap))
             raise UndecidedError(
                 f"the invariant zeros allow a decay of {decay:g}, but too closely: choose a smaller decay "
                 f"or a smaller box ({failure})"
@@ -233,13 +230,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         return ErrorSystem(a, ts, np.eye(n), names, {"delta": n}, self.system.time)
 
     def stage(self, start: Any = None, *, noise: Any = None, density: Any = None) -> UnknownInputStage:
-        """The observer as a stage that starts at an estimate, by default zeros.
-
-        The first sample replaces the outputs of the estimate.
-
-        ``noise`` and ``density`` as for ``InputReconstruction``: without them the unknown input is
-        estimated over each interval by itself.
-        """
+        """The observer as a stage that starts at an estimate, by default zeros; see ``UnknownInputStage``."""
         return UnknownInputStage(self, start, noise=noise, density=density)
 
     def simulated(self, plant: Any, setting: Setting) -> Simulation:
@@ -268,10 +259,9 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         outputs = setting.measured(state @ system.c.T)
         running = self.stage(setting.begin(n, "estimate", 0.0))
         inputs, unknown = sampled(b, times), sampled(d, times)
-        estimate, found = np.empty_like(state), np.full_like(unknown, np.nan)
-        for i, t in enumerate(times.tolist()):
-            answer = running.update(UnknownInputSample(t, outputs[i], inputs[i], partial(schedule, t)))
-            estimate[i], found[i] = answer.x, answer.d
+        samples = zip(times.tolist(), outputs, inputs, strict=True)
+        answers = [running.update(UnknownInputSample(t, y, u, partial(schedule, t))) for t, y, u in samples]
+        estimate, found = np.array([one.x for one in answers]), np.array([one.d for one in answers])
         none = np.zeros((len(times), 0))
         return Simulation(
             times, state, estimate, outputs, inputs, tuple(f"x{i + 1}" for i in range(n)),
@@ -355,16 +345,12 @@ def _refuse(box: Box, zeros: NDArray[np.complex128], decay: float, time: str) ->
         return
     sizes = np.abs(zeros) if discrete else zeros.real
     vertex = int(sizes.max(axis=1).argmax())
-    value, unit = number_text(zeros[vertex][sizes[vertex].argmax()]), "1/step" if discrete else "1/s"
-    place = f"the invariant zero {value}{'' if discrete else ' 1/s'} at {box.corners[vertex]} must "
-    needed = (
-        f"have a modulus below exp(-decay) = {exp(-decay):g}"
-        if discrete
-        else f"lie below -decay = {-decay:g} 1/s"
-    )
-    end = (
-        f"the largest feasible decay is below {most:.6g} {unit}"
-        if most > 0.0
-        else "no decay above 0 is feasible in this box"
-    )
-    raise InfeasibleError(f"{place}{needed}: {end}")
+    value = number_text(zeros[vertex][sizes[vertex].argmax()])
+    unit, of_zero, needed = "1/s", " 1/s", f"lie below -decay = {-decay:g} 1/s"
+    if discrete:
+        unit, of_zero, needed = "1/step", "", f"have a modulus below exp(-decay) = {exp(-decay):g}"
+    end = f"the largest feasible decay is below {most:.6g} {unit}"
+    if most <= 0.0:
+        end = "no decay above 0 is feasible in this box"
+    place = f"the invariant zero {value}{of_zero} at {box.corners[vertex]}"
+    raise InfeasibleError(f"{place} must {needed}: {end}")

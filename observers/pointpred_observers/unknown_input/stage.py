@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from contextlib import suppress
 from math import ceil, isfinite
 from typing import TYPE_CHECKING, Any, Self
 
@@ -12,15 +12,13 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.records import FloatArray, FloatTable
-from pointpred_observers.numerics.eigenvalues import perron_root
-from pointpred_observers.plants.boxes import Point, weigh
-from pointpred_observers.unknown_input.reconstruction import SINGULAR, InputReconstruction
+from pointpred_observers.numerics.eigenvalues import SINGULAR, perron_root
+from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.plants.boxes import weigh
 
 if TYPE_CHECKING:
     from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
-Schedule = Callable[[FloatArray], Point]
-"""The scheduling variables at a time as a function of the estimate; it holds the measured ones itself."""
 SUBSTEP = 0.2
 """Longest step of an integration, a share of the shortest time constant."""
 STEPS_MOST = 100_000
@@ -119,19 +117,150 @@ def push(
             space[STAGE, i] = space[BASE, i] + (h if part == 2 else 0.5 * h) * rate
 
 
+class InputReconstruction:
+    """The unknown input d of y' = known + G d, G = C F; in discrete time y' is the next y.
+
+    Without ``noise`` and ``density`` d is the least-squares solution over each interval by itself, the mean
+    of d over it: exact without noise, half an interval late, and noise of the outputs is divided by the
+    interval's length. With them it is the Kalman filter of (y, d), in discrete time of d: white noise of
+    the outputs, d a random walk. Errors of the observer's estimate enter d. Missing outputs are left out.
+
+    Parameters: ``outputs`` p; ``time``; ``noise`` standard deviation of the outputs, one number or p;
+    ``density`` spectral density of the rate of d, the squared unit of d by s (variance of its change in a
+    step), one number or one for each input. Raises ParameterError.
+
+    Reference: Benyoucef et al. 2021, (39), (40), with a filter instead of the derivative; its (C F)^-1 is the
+    pseudo-inverse here, for more outputs than unknown inputs.
+
+    >>> raw = InputReconstruction(1)
+    >>> raw.update(np.zeros(1), np.array([[2.0]]), 0.1, np.array([0.0]), np.array([0.6]))[0].round(9).tolist()
+    [3.0]
+    """
+
+    def __init__(
+        self, outputs: int, time: str = "continuous", *, noise: Any = None, density: Any = None
+    ) -> None:
+        self.outputs, self.time = outputs, time
+        if (noise is None) != (density is None):
+            raise ParameterError("noise and density come together: give both or none", field="noise")
+        self.noise = None if noise is None else np.broadcast_to(_sizes("noise", noise, outputs), (outputs,))
+        self.density = None if density is None else _sizes("density", density, None)
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget every interval."""
+        self.latest: FloatArray | None = None
+        """The last estimate, ``None`` before the first."""
+        self._y, self._covariance = np.zeros(self.outputs), np.zeros((0, 0))
+        self._inverses: tuple[bytes, FloatArray | None] = b"", None
+
+    def update(
+        self, known: FloatArray, g: FloatArray, h: float, before: FloatArray, after: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """The estimate after an interval of ``h`` s, and its standard deviation; NaN where there is none.
+
+        ``known``: the mean of C (A x + b) over it, in discrete time its value; ``before`` and ``after`` the
+        outputs at its ends, NaN for a missing one.
+        """
+        none = np.full(g.shape[1], np.nan)
+        if self.noise is None or self.density is None:
+            self._by_itself(known, g, h, before, after)
+            return none if self.latest is None else self.latest, none
+        variance, walk = np.diag(self.noise**2), np.diag(np.broadcast_to(self.density, g.shape[1:]))
+        if self.latest is not None:
+            self._filter(known, g, h, after, variance, walk, self.latest)
+        elif not np.isnan([before, after] if self.time == "continuous" else after).any():
+            inverse = self._by_itself(known, g, h, before, after)
+            if inverse is None:
+                return none, none
+            self._covariance = inverse @ variance @ inverse.T
+            if self.time == "continuous":
+                self._y, across = after.copy(), variance @ inverse.T / h
+                # The end of the interval is not its middle: a random walk adds a third of its growth.
+                own = 2.0 / h**2 * self._covariance + walk * h / 3.0
+                self._covariance = np.block([[variance, across], [across.T, own]])
+        else:
+            return none, none
+        assert self.latest is not None
+        return self.latest, np.sqrt(np.diag(self._covariance)[-len(none) :])
+
+    def _by_itself(
+        self, known: FloatArray, g: FloatArray, h: float, before: FloatArray, after: FloatArray
+    ) -> FloatArray | None:
+        """Estimate d over the interval; the inverse of the rows of G that were measured, if they tell d."""
+        moved = after if self.time == "discrete" else (after - before) / h
+        seen = ~np.isnan(moved)
+        same = g.tobytes() + seen.tobytes()  # G is often constant, and the inverse is most of the cost
+        if same != self._inverses[0]:
+            left, sizes, right = np.linalg.svd(g[seen], full_matrices=False)
+            inverse = None
+            if len(sizes) == g.shape[1] and sizes.min() > SINGULAR * np.linalg.norm(g):
+                inverse = np.asarray((right.T / sizes) @ left.T, np.float64)
+                if self.noise is not None:
+                    weights = 1.0 / self.noise[seen]
+                    inverse = np.linalg.pinv(g[seen] * weights[:, None], rcond=SINGULAR) * weights
+            self._inverses = same, inverse
+        inverse = self._inverses[1]
+        if inverse is not None:
+            self.latest = np.asarray(inverse @ (moved - known)[seen], np.float64)
+        return inverse
+
+    def _filter(
+        self,
+        known: FloatArray,
+        g: FloatArray,
+        h: float,
+        after: FloatArray,
+        variance: FloatArray,
+        walk: FloatArray,
+        d: FloatArray,
+    ) -> None:
+        """Predict (y, d), in discrete time d, and correct it by what was measured, in Joseph's form."""
+        p, m = g.shape
+        if self.time == "discrete":
+            state, covariance, rows = d, self._covariance + walk, g
+            error = after - known - g @ d
+        else:
+            onward = np.block([[np.eye(p), h * g], [np.zeros((m, p)), np.eye(m)]])
+            side = 0.5 * h**2 * g @ walk
+            growth = np.block([[h**3 / 3.0 * g @ walk @ g.T, side], [side.T, h * walk]])
+            state, rows = np.concatenate([self._y + h * (known + g @ d), d]), np.eye(p, p + m)
+            covariance = onward @ self._covariance @ onward.T + growth
+            error = after - state[:p]
+        seen = ~np.isnan(after)
+        if seen.any():
+            rows, variance = rows[seen], variance[np.ix_(seen, seen)]
+            gain = np.linalg.solve(rows @ covariance @ rows.T + variance, rows @ covariance).T
+            kept = np.eye(len(state)) - gain @ rows
+            state = state + gain @ error[seen]
+            covariance = kept @ covariance @ kept.T + gain @ variance @ gain.T
+        self._covariance = covariance
+        self._y, self.latest = state[:-m], state[-m:]
+
+
+def _sizes(name: str, given: Any, count: int | None) -> FloatArray:
+    """Numbers above 0, one or ``count``."""
+    sizes: FloatArray = matrix(name, given, 1)[0]
+    if (sizes <= 0.0).any():
+        raise ParameterError(f"{name} must lie above 0, received {given!r}", field=name, value=given)
+    if count is not None and len(sizes) not in (1, count):
+        raise ParameterError(
+            f"{name} needs 1 or {count} numbers, received {len(sizes)}", field=name, value=given
+        )
+    return sizes
+
+
 class UnknownInputStage:
     """A ``Stage[UnknownInputSample, UnknownInputEstimate]`` that runs a design.
 
     Assumes that y, b and the scheduling variables are linear between two samples; in discrete time each
     sample is a step, its index the last one plus 1. The matrices that run are those of the vertices, mixed:
     the ones that are proved. Outside the box they are those of the system, with the gains of the nearest
-    point, and ``certified`` is false. With as many outputs as unknown inputs no gain acts.
+    point, and ``certified`` is false.
 
     While an output is missing at one end of an interval the model is followed, x' = A x + b + F d with the
     last estimate of d (zero before the first). At its end the outputs that are measured correct the
-    estimate along F: x + F (C_s F)^+ (y_s - C_s x), which is the observer's own equation if none is
-    missing. Other errors are not corrected in such an interval, and nothing is proved. A sensor that is
-    gone for good needs a design of its own.
+    estimate along F, x + F (C_s F)^+ (y_s - C_s x); other errors are not corrected, and nothing is proved.
 
     Parameters: ``design``; ``start`` the estimate at the first sample, by default 0, whose outputs the first
     sample replaces; ``noise`` and ``density`` as for ``InputReconstruction``. Memory: the estimate, one
@@ -201,9 +330,18 @@ class UnknownInputStage:
             x = self._carried(self._x, old, sample)
         point = sample.schedule(x)
         certified = not (bridged or self.design.box.outside(point))
-        motion = self._moved(x, point, sample)
-        d, spread = self._reconstructed(motion, old, sample)
-        self._x, self._last, self._whole, self._motion = x, sample, whole, motion
+        g, after = system.c @ system.f(point), None
+        with suppress(KeyError):  # of a system that gives T A, A may need more variables
+            after = system.c @ (system.a(point) @ x + sample.known)
+        known, g_before = self._motion
+        d = spread = np.full(g.shape[1], np.nan)
+        if old is not None and known is not None and after is not None:
+            if system.time == "discrete":
+                d, spread = self.reconstruction.update(known, g_before, 1.0, old.y, sample.y)
+            else:
+                middle, mean = 0.5 * (known + after), 0.5 * (g_before + g)
+                d, spread = self.reconstruction.update(middle, mean, sample.t - old.t, old.y, sample.y)
+        self._x, self._last, self._whole, self._motion = x, sample, whole, (after, g)
         return UnknownInputEstimate(sample.t, x, certified, d, spread)
 
     def _mixed(self, old: UnknownInputSample, new: UnknownInputSample, s: float, x: FloatArray) -> None:
@@ -232,7 +370,7 @@ class UnknownInputStage:
         ends[0, :outputs], ends[0, outputs:] = old.y, old.known
         ends[1, :outputs], ends[1, outputs:] = new.y, new.known
         self._mixed(old, old, 0.0, x)
-        space[STAGE] = x + self._e() @ old.y
+        space[STAGE] = x + self._parts()[2] @ old.y
         for i in range(steps):
             for part, inner in enumerate((0.0, 0.5, 0.5, 1.0)):
                 s = (i + inner) / steps
@@ -247,18 +385,18 @@ class UnknownInputStage:
         estimated(self._block, self._ends, s, self._space)
         return np.array(self._space[ESTIMATE])
 
-    def _e(self) -> FloatArray:
+    def _parts(self) -> list[FloatArray]:
+        """Gamma, K, E and T."""
         outputs, n = self.design.system.c.shape
-        return np.asarray(self._block[n * (n + outputs) : n * (n + 2 * outputs)].reshape(n, outputs))
+        parts = np.split(self._block, np.cumsum([n * n, n * outputs, n * outputs]))
+        return [part.reshape(n, -1) for part in parts]
 
     def _onward(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
         """The next estimate of a discrete system, by E and T of the step that ends there."""
-        outputs, n = self.design.system.c.shape
         self._mixed(old, old, 0.0, x)
-        gamma, k, _, t = np.split(self._block, np.cumsum([n * n, n * outputs, n * outputs]))
-        z = gamma.reshape(n, n) @ x + t.reshape(n, n) @ old.known
-        z += k.reshape(n, outputs) @ (old.y - self.design.system.c @ x)
-        return np.asarray(z - self._e() @ new.y, np.float64)
+        gamma, k, e, t = self._parts()
+        z = gamma @ x + t @ old.known
+        return np.asarray(z + k @ (old.y - self.design.system.c @ x) - e @ new.y, np.float64)
 
     def _bridged(self, x: FloatArray, old: UnknownInputSample, new: UnknownInputSample) -> FloatArray:
         """The estimate at the next sample by the model, corrected along F by the measured outputs."""
@@ -293,32 +431,6 @@ class UnknownInputStage:
         seen, f = ~np.isnan(new.y), system.f(point)
         inverse = np.linalg.pinv(system.c[seen] @ f, rcond=SINGULAR)
         return np.asarray(x + f @ inverse @ (new.y - system.c @ x)[seen], np.float64)
-
-    def _moved(
-        self, x: FloatArray, point: Point, sample: UnknownInputSample
-    ) -> tuple[FloatArray | None, FloatArray]:
-        """C (A x + b) and C F at a sample; ``None`` where the point lacks a variable of A."""
-        system = self.design.system
-        g = system.c @ system.f(point)
-        try:
-            return system.c @ (system.a(point) @ x + sample.known), g
-        except KeyError:  # of a system that gives T A, A may need more variables
-            return None, g
-
-    def _reconstructed(
-        self,
-        motion: tuple[FloatArray | None, FloatArray],
-        old: UnknownInputSample | None,
-        new: UnknownInputSample,
-    ) -> tuple[FloatArray, FloatArray]:
-        """The unknown input of the interval, from the known part of the outputs' motion at its ends."""
-        (known, g), (after, g_after) = self._motion, motion
-        if old is None or known is None or after is None:
-            none = np.full(g_after.shape[1], np.nan)
-            return none, none
-        if self.design.system.time == "continuous":
-            known, g = 0.5 * (known + after), 0.5 * (g + g_after)
-        return self.reconstruction.update(known, g, new.t - old.t, old.y, new.y)
 
     def _checked(self, sample: UnknownInputSample) -> UnknownInputSample:
         if not isinstance(sample, UnknownInputSample):

@@ -18,10 +18,9 @@ from pointpred_observers.camera import camera_box, camera_system
 from pointpred_observers.files import encoded
 from pointpred_observers.plants.boxes import Box, at_vertices
 from pointpred_observers.plants.varying import CornerSystem, ParameterVaryingSystem
-from pointpred_observers.proofs.definite import least
+from pointpred_observers.proofs.bounds import least
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
-from pointpred_observers.unknown_input.certificate import audit, inequality
-from pointpred_observers.unknown_input.gains import ROOMS
+from pointpred_observers.unknown_input.certificate import ROOMS, audit, inequality
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 CAMERA = {"turn": (-0.02, 0.02), "a_z": (-0.1, 0.1), "w": (-0.06, 0.06), "dw": (-0.1, 0.1)}
