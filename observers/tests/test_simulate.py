@@ -134,6 +134,17 @@ def test_an_unknown_input_is_reconstructed(name: str) -> None:
     assert np.isfinite(moving.estimate).all()
 
 
+def test_a_schedule_that_leaves_the_box_is_told() -> None:
+    said = r"schedule leaves the box of the design at 401 samples, first k at t = 0\.6: what is proved"
+    with pytest.warns(UserWarning, match=said):
+        o.simulate(
+            kept.WING,
+            kept.design("unknown input"),
+            times=np.arange(0.0, 1.0001, 0.001),
+            schedule={"k": lambda t: 2.0 if t < 0.5995 else 9.0},
+        )
+
+
 def test_an_interlaced_plant() -> None:
     def field(t: float, both: Any) -> Any:
         w1, w2, x1, x2 = both

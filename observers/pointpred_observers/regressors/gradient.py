@@ -376,12 +376,7 @@ class NonlinearRegressor(_Estimator):
     def declare(self, **values: Any) -> None:
         """Check the values."""
         super().declare(**values)
-        if self.f not in MONOTONE:
-            raise ParameterError(
-                f"f must be one of {', '.join(MONOTONE)}, which do not fall, received {self.f!r}",
-                field="f",
-                value=self.f,
-            )
+        one_of("f", self.f, MONOTONE)
 
     def settings(self) -> FloatArray:
         """The beginning of the memory."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from math import exp
 from typing import Any, ClassVar, Self
+from warnings import warn
 
 import msgspec
 import numpy as np
@@ -269,9 +270,18 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         running = self.stage(setting.begin(n, "estimate", 0.0))
         inputs, unknown = sampled(b, times), sampled(d, times)
         estimate, found = np.empty_like(state), np.full_like(unknown, np.nan)
+        left: list[str] = []
         for i, t in enumerate(times.tolist()):
             answer = running.update(UnknownInputSample(t, outputs[i], inputs[i], partial(schedule, t)))
             estimate[i], found[i] = answer.x, answer.d
+            if names := self.box.outside(schedule(t, state[i])) or self.box.outside(schedule(t, answer.x)):
+                left.append(f"{', '.join(names)} at t = {t:g}")
+        if left:
+            warn(
+                f"schedule leaves the box of the design at {len(left)} samples, first {left[0]}: what is "
+                "proved of the error does not cover them",
+                stacklevel=4,
+            )
         none = np.zeros((len(times), 0))
         return Simulation(
             times, state, estimate, outputs, inputs, tuple(f"x{i + 1}" for i in range(n)),
