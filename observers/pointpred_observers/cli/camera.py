@@ -103,16 +103,6 @@ def run(
         ),
     ] = None,
     noise: Seen = 2.0,
-    images: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FOLDER", callback=check_exists, file_okay=False, help="Images to follow the point in."
-        ),
-    ] = None,
-    point: Annotated[
-        str, typer.Option(metavar="X,Y", help="Its position in the first image, px from the centre.")
-    ] = "0,0",
-    every: Annotated[int, typer.Option(help="Samples per image, with --images.")] = 1,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
     json: Numbers = None,
     force: Force = False,
@@ -130,15 +120,12 @@ def run(
 
       pointpred camera run camera.csv --focal-px 800 --start 1,-0.3
 
-      pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
+      pointpred camera run readings.csv --focal-px 620 --up rest --plot depth.svg
     """
     check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth], force)
     from pointpred_observers.cli import camera_files as files
 
-    columns = files.read_samples(samples, up)
-    if images is not None:
-        columns = _followed(columns, images, point, every)
-    estimates = _pipeline(focal_px, start, noise).run(columns)
+    estimates = _pipeline(focal_px, start, noise).run(files.read_samples(samples, up))
     truths = None if truth is None else files.read_truth(truth)
     errors = None if truths is None else files.errors_of(estimates, truths)
     if plot is not None:
@@ -150,29 +137,15 @@ def run(
         files.show(estimates, errors)
 
 
-def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
-    from pointpred_observers.camera.tracker import PointTracker, tracked
-    from pointpred_observers.cli.camera_files import read_images
-
-    x, y = _pair("--point", "X,Y in px", point)
-    if every < 1:
-        raise ParameterError(f"--every must be at least 1, received {every}")
-    return tracked(PointTracker(x=x, y=y), read_images(folder), columns, every)
-
-
-def _pair(option: str, what: str, text: str) -> tuple[float, float]:
-    try:
-        first, second = (float(part) for part in text.split(","))
-    except ValueError as unusable:
-        raise ParameterError(f"{option} needs {what}, received {text!r}") from unusable
-    return first, second
-
-
 def _pipeline(focal_px: float, start: str, noise: float) -> Any:
     from pointpred_observers.camera import CameraPipeline, DepthObserver, PointFilter
 
     whole = start if "," in start else f"{start},0"
-    depth, vz = _pair("--start", "a depth in m, or DEPTH,VELOCITY in m and m/s", whole)
+    try:
+        depth, vz = (float(part) for part in whole.split(","))
+    except ValueError as unusable:
+        needs = "a depth in m, or DEPTH,VELOCITY in m and m/s"
+        raise ParameterError(f"--start needs {needs}, received {whole!r}") from unusable
     if not depth > 0.0:
         raise ParameterError(f"--start: the depth must be positive, received {depth:g}")
     if not noise >= 0.0:

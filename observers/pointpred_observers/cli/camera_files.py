@@ -13,7 +13,6 @@ from rich.table import Table
 from pointpred.console import results
 from pointpred.drawing import GREY, PALETTE, canvas, picture
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.extras import missing_extra
 from pointpred.files import write_whole
 from pointpred.records import FloatArray
 from pointpred_observers.camera import CameraColumns, CameraTable, Gravity
@@ -22,7 +21,6 @@ from pointpred_observers.camera.scenario import Trajectory
 UP = ("ux", "uy", "uz")
 """Columns of the direction opposite to gravity in the camera's frame, where the attitude is known."""
 TRUTH = ("t", "depth_m", "vx", "vy", "vz")
-IMAGES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm")
 MOMENTS = 11
 HEADINGS = ("t s", "Z observer m", "Z filter m", "v_z observer m/s", "v_z filter m/s", "believe")
 NAMES = ("chi", "eta", "vx", "vy", "vz")
@@ -111,24 +109,6 @@ def read_samples(source: Path, up: str | None = None) -> CameraColumns:
     if first is not None and len(first) != 3:
         raise ParameterError(f"--up needs X,Y,Z or rest, received {up!r}")
     return Gravity(up=first).run(columns, known)
-
-
-def read_images(folder: Path) -> list[Any]:
-    """The images of a folder in the order of their names, grey."""
-    files = sorted(path for path in folder.iterdir() if path.suffix.lower() in IMAGES)
-    if not files:
-        raise ParameterError(f"--images {folder}: holds no image ({', '.join(IMAGES)})")
-    try:
-        import cv2
-    except ImportError as missing:
-        raise missing_extra("camera", "reading images needs OpenCV", of="pointpred-observers") from missing
-    images = []
-    for path in files:
-        image = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
-        if image is None:
-            raise RecordingError(f"{path}: is no image that can be read")
-        images.append(image)
-    return images
 
 
 def errors_of(estimates: CameraTable, truth: FloatArray) -> Errors:
