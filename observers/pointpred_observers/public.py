@@ -6,8 +6,7 @@ from pointpred_observers.interconnected.steady_state import steady_state_map
 from pointpred_observers.kinds import design, simulate, stage
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.boxes import Box
-from pointpred_observers.plants.discretisation import c2d
-from pointpred_observers.plants.generator import Generator
+from pointpred_observers.plants.generator import Generator, c2d
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem
 from pointpred_observers.plants.varying import (

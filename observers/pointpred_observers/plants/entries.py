@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.numerics.matrices import matrix, wrong
 from pointpred_observers.plants.expressions import names_of, text_of
 from pointpred_observers.plants.nonlinearity import NAMED, Nonlinearity
 
@@ -29,13 +29,7 @@ Values = dict[str, Rows | float]
 Functions = Mapping[str, Callable[..., Any]]
 
 
-class Document(
-    msgspec.Struct,
-    frozen=True,
-    tag_field="kind",
-    forbid_unknown_fields=True,
-    omit_defaults=True,
-):
+class Document(msgspec.Struct, frozen=True, tag_field="kind", forbid_unknown_fields=True, omit_defaults=True):
     """What a file holds of one thing: ``of`` a Python object, and ``made`` into one again."""
 
     @classmethod
@@ -98,11 +92,7 @@ def unbounded(value: float | None) -> float:
 def gap_of(value: float | None, name: str = "gap") -> float:
     """The stored gap of a design, infinite for ``None``; raises ParameterError for one below 0."""
     if value is not None and not value >= 0.0:
-        raise ParameterError(
-            f"{name} must be a number not below 0, or null where nothing is proved, received {value!r}",
-            field=name,
-            value=value,
-        )
+        raise wrong(name, "must be a number not below 0, or null where nothing is proved", value)
     return unbounded(value)
 
 
@@ -111,11 +101,9 @@ def restored(name: str, value: Any, functions: Functions) -> Any:
     if not isinstance(value, PythonFunction):
         return value
     if name not in functions:
-        raise ParameterError(
-            f"{name} was saved as the Python function {value.function!r}, which no file holds: pass it "
-            f"again, as functions={{{name!r}: {value.function if value.function.isidentifier() else '...'}}}",
-            field=name,
-        )
+        again = f"functions={{{name!r}: {value.function if value.function.isidentifier() else '...'}}}"
+        words = f"{name} was saved as the Python function {value.function!r}: pass it again, as {again}"
+        raise ParameterError(words, field=name)
     return functions[name]
 
 

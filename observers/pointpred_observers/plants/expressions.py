@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import operator
+from keyword import iskeyword
 from math import isfinite
 from typing import Any
 
@@ -14,7 +16,14 @@ LONGEST = 20_000
 DIGITS_MOST = 4096
 """Most bits of a power of numbers."""
 CONSTANTS = ("pi", "E")
-CALLED = (*("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sqrt"),)
+CALLED = ("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sqrt")
+OPERATIONS: dict[type[ast.operator], Any] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+}
 
 
 def text_of(expression: Any) -> str:
@@ -29,11 +38,9 @@ def names_of(symbols: Any) -> tuple[str, ...]:
     """The names of symbols; raises ParameterError for one that is no plain name."""
     names = tuple(str(one) for one in symbols)
     for name in names:
-        if not _plain(name):
-            raise ParameterError(
-                f"a symbol in a file needs a plain name, such as x1, that is no function, received {name!r}",
-                field=name,
-            )
+        if not name.isidentifier() or iskeyword(name) or name in (*CONSTANTS, *CALLED):
+            words = f"a symbol in a file needs a plain name, such as x1, no function, received {name!r}"
+            raise ParameterError(words, field=name)
     return names
 
 
@@ -74,46 +81,25 @@ def _built(node: ast.expr, where: str) -> Any:
         return -inner if isinstance(node.op, ast.USub) else inner
     if isinstance(node, ast.BinOp):
         left, right = _built(node.left, where), _built(node.right, where)
-        if isinstance(node.op, ast.Add):
-            return left + right
-        if isinstance(node.op, ast.Sub):
-            return left - right
-        if isinstance(node.op, ast.Mult):
-            return left * right
-        if isinstance(node.op, ast.Div):
-            if right == 0:
-                raise ParameterError(f"{where}: divides by zero in {ast.unparse(node)}")
-            return left / right
+        if isinstance(node.op, ast.Div) and right == 0:
+            raise ParameterError(f"{where}: divides by zero in {ast.unparse(node)}")
         if isinstance(node.op, ast.Pow):
-            return _power(left, right, where)
-    if (
-        isinstance(node, ast.Call)
-        and isinstance(node.func, ast.Name)
-        and node.func.id in CALLED
-        and len(node.args) == 1
-        and not node.keywords
-    ):
-        return getattr(sp, node.func.id)(_built(node.args[0], where))
-    raise ParameterError(
-        f"{where}: {ast.unparse(node)} is not known; an expression may hold numbers, names, + - * / **, "
-        f"{', '.join(CONSTANTS)} and {', '.join(CALLED)}"
-    )
+            _require_short(left, right, where)
+        if operation := OPERATIONS.get(type(node.op)):
+            return operation(left, right)
+    if isinstance(node, ast.Call) and len(node.args) == 1 and not node.keywords:
+        called = ast.unparse(node.func)
+        if called in CALLED:
+            return getattr(sp, called)(_built(node.args[0], where))
+    known = f"numbers, names, + - * / **, {', '.join((*CONSTANTS, *CALLED))}"
+    raise ParameterError(f"{where}: {ast.unparse(node)} is not known; an expression may hold {known}")
 
 
-def _power(base: Any, exponent: Any, where: str) -> Any:
-    """Base ** exponent; raises ParameterError for a number too long to be meant."""
+def _require_short(base: Any, exponent: Any, where: str) -> None:
+    """Raise ParameterError for a power that is a number too long to be meant."""
     # sympy works out the whole part of a rational exponent, as it does an integer.
     if exponent.is_Rational and abs(exponent) > 1:
         parts = [part for one in base.atoms(symbolic().Rational) for part in (one.p, one.q)]
         size = max((abs(int(part)).bit_length() for part in parts), default=1)
         if size * abs(int(exponent)) > DIGITS_MOST:
             raise ParameterError(f"{where}: the power {base}**{exponent} is too large")
-    return base**exponent
-
-
-def _plain(name: str) -> bool:
-    try:
-        node = ast.parse(name, mode="eval").body
-    except SyntaxError:
-        return False
-    return isinstance(node, ast.Name) and node.id not in (*CONSTANTS, *CALLED)

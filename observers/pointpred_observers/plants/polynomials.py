@@ -1,12 +1,9 @@
-"""Symbolic expressions, and steady states as power series with exact coefficients.
-
-A series is a ``sympy.Poly`` in the states of the generator; its coefficients are rational numbers, or
-expressions in the parameters of the system.
-"""
+"""Symbolic expressions, and steady states as power series: ``sympy.Poly`` in the states of the generator."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import reduce
 from itertools import combinations_with_replacement
 from typing import Any
 
@@ -83,10 +80,8 @@ def composed(expression: Any, values: Mapping[Any, Any], over: Sequence[Any], de
         x = sp.Dummy("x")
         if e.is_Pow:
             if e.exp.is_Integer and e.exp >= 0:
-                base, total = expanded(e.base), sp.Poly(1, *over)
-                for _ in range(int(e.exp)):
-                    total = cut(total * base, degree)
-                return total
+                factors = [expanded(e.base)] * int(e.exp)
+                return reduce(lambda total, base: cut(total * base, degree), factors, sp.Poly(1, *over))
             if e.exp.is_number:
                 return _taylor(x**e.exp, x, expanded(e.base), degree)
             return _taylor(sp.exp(x), x, expanded(e.exp * sp.log(e.base)), degree)

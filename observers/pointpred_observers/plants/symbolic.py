@@ -11,7 +11,7 @@ import numpy as np
 from pointpred.errors import CertificateError, ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.eigenvalues import number_text, unsettled
-from pointpred_observers.numerics.matrices import instance, listed
+from pointpred_observers.numerics.matrices import instance, listed, wrong
 from pointpred_observers.plants.polynomials import Free, composed, cut, exact, shortened, symbolic
 
 HIGHEST_DEGREE = 15
@@ -41,27 +41,18 @@ class SymbolicGenerator:
             if (rest := symbolic().simplify(s.subs(at_rest))) != 0:
                 raise ParameterError(f"{w}' must be zero at the origin, received {rest}")
         jacobian = symbolic().Matrix(self.field).jacobian(self.states)
-        rest = jacobian.subs(at_rest)
+        rest, linear = jacobian.subs(at_rest), not jacobian.free_symbols
         if rest.is_symbolic() or not all(one.is_finite for one in rest):
             return
-        self._require_neutral(np.array(rest.tolist(), np.float64), linear=not jacobian.free_symbols)
-
-    def _require_neutral(self, a: FloatArray, *, linear: bool) -> None:
-        """Raise ParameterError for a linear part with which w = 0 is not stable."""
-        for value, motion in unsettled(a):
+        for value, motion in unsettled(np.array(rest.tolist(), np.float64)):
             if motion.endswith("grows") or (linear and motion.endswith("with t")):
-                raise ParameterError(
-                    "a generator must be neutrally stable (Assumption 1.3.1): "
-                    + motion.format(number_text(value)),
-                    field="field",
-                )
+                words = "a generator must be neutrally stable (Assumption 1.3.1): "
+                raise ParameterError(words + motion.format(number_text(value)), field="field")
 
     def along(self, expression: Any) -> Any:
         """The derivative of a function of w along w' = s(w)."""
-        return sum(
-            (symbolic().diff(expression, w) * s for w, s in zip(self.states, self.field, strict=True)),
-            symbolic().Integer(0),
-        )
+        pairs = zip(self.states, self.field, strict=True)
+        return sum((symbolic().diff(expression, w) * s for w, s in pairs), symbolic().Integer(0))
 
     def matrix(self) -> FloatArray:
         """A of a linear generator w' = A w; raises ParameterError for a nonlinear one."""
@@ -92,7 +83,7 @@ class SymbolicSystem:
         self.states, self.field = _fields("system", states, field)
         self.zero, self.zero_field = _fields("zero dynamics", zero, zero_field)
         if not isinstance(input, symbolic().Symbol):
-            raise ParameterError(f"the input must be a symbol, received {input!r}")
+            raise wrong("input", "must be a symbol", input)
         self.input = input
         self.outputs = tuple(exact(h) for h in listed("outputs", outputs))
         named = (*self.states, *self.zero, self.input)
@@ -123,9 +114,7 @@ class SymbolicSystem:
         found = {symbol: exact(e) for symbol, e in given.items()}
         for symbol, one in found.items():
             if foreign := one.free_symbols & {*self.states, *self.zero, self.input}:
-                raise ParameterError(
-                    f"{symbol} must be a function of the generator, received {sorted(map(str, foreign))}"
-                )
+                raise wrong(str(symbol), "must be a function of the generator", sorted(map(str, foreign)))
         return found
 
     def residuals(
@@ -170,7 +159,7 @@ class SymbolicSteadyState(msgspec.Struct, frozen=True):
         return tuple(symbolic().cancel(h.subs(values, simultaneous=True)) for h in self.system.outputs)
 
     def function(self) -> Callable[[Any], FloatArray]:
-        """A plain numpy function of w: rows pi, rho and l; w of shape (q,) or (q, n)."""
+        """A numpy function of w, (q,) or (q, n): rows pi, rho and l."""
         wanted = (*self.maps, *self.zero_maps, self.input)
         if missing := set().union(*(e.free_symbols for e in wanted)) - {*self.generator.states}:
             raise ParameterError(f"parameters without value: {sorted(map(str, missing))}")
@@ -219,11 +208,8 @@ def check_steady_state(
     instance("generator", generator, SymbolicGenerator)
     maps, zero = listed("maps", maps), listed("zero", zero)
     if len(maps) != len(system.states) or len(zero) != len(system.zero):
-        raise ParameterError(
-            f"needs {len(system.states)} maps and {len(system.zero)} of the zero dynamics, "
-            f"received {len(maps)} and {len(zero)}",
-            field="maps",
-        )
+        wanted = f"{len(system.states)} maps and {len(system.zero)} of the zero dynamics"
+        raise ParameterError(f"needs {wanted}, received {len(maps)} and {len(zero)}", field="maps")
     degree = known_degree(degree)
     symbols = (*system.states, *system.zero, system.input)
     values = system.functions(dict(zip(symbols, (*maps, *zero, input), strict=True)))
@@ -237,11 +223,7 @@ def check_steady_state(
         if shown != 0:
             failed.append(f"{state}' leaves {shown}")
     if failed:
-        raise CertificateError(
-            f"the printed steady state fails: {'; '.join(failed)}",
-            field="maps",
-            value=list(residuals.values()),
-        )
+        raise CertificateError(f"the printed steady state fails: {'; '.join(failed)}", field="maps")
     left, n = tuple(residuals.values()), len(system.states)
     *found, ell = values.values()
     found_degree = degree if any(one != 0 for one in left) else None
@@ -251,26 +233,18 @@ def check_steady_state(
 def known_degree(degree: Any) -> int | None:
     """The degree of a series, or ``None``; raises ParameterError."""
     if degree is not None and (not isinstance(degree, int) or not 1 <= degree <= HIGHEST_DEGREE):
-        raise ParameterError(
-            f"degree must be a whole number in [1, {HIGHEST_DEGREE}], received {degree!r}",
-            field="degree",
-            value=degree,
-        )
+        raise wrong("degree", f"must be a whole number in [1, {HIGHEST_DEGREE}]", degree)
     return degree
 
 
 def _fields(name: str, states: Sequence[Any], field: Sequence[Any]) -> tuple[Any, Any]:
-    states, field = (
-        tuple(listed(f"the states of the {name}", states)),
-        listed(f"the field of the {name}", field),
-    )
+    states = tuple(listed(f"the states of the {name}", states))
+    field = listed(f"the field of the {name}", field)
     for one in states:
         if not isinstance(one, symbolic().Symbol):
-            raise ParameterError(f"{name} needs symbols as states, received {one!r}", field=name, value=one)
+            raise wrong(name, "needs symbols as states", one)
     if len(set(states)) != len(states):
-        raise ParameterError(f"{name} needs different symbols, received {states}", field=name)
+        raise wrong(name, "needs different symbols", states)
     if len(states) != len(field):
-        raise ParameterError(
-            f"{name} needs an equation a state: {len(states)}, received {len(field)}", field=name
-        )
+        raise wrong(name, f"needs an equation a state: {len(states)}", len(field))
     return states, tuple(exact(one) for one in field)

@@ -10,7 +10,7 @@ import numpy as np
 
 from pointpred.errors import InfeasibleError, UndecidedError
 from pointpred.records import FloatArray
-from pointpred_observers.plants.zeros import kernel
+from pointpred_observers.plants.varying import kernel
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities, Solution
 from pointpred_observers.proofs.stationary import decay_start, filter_start
 

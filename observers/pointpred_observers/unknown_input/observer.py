@@ -32,9 +32,10 @@ from pointpred_observers.plants.entries import (
 from pointpred_observers.plants.varying import (
     CornerSystem,
     ParameterVaryingSystem,
+    independent,
     invariant_zeros,
+    kernel,
 )
-from pointpred_observers.plants.zeros import independent, kernel
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.search import least_in_both
