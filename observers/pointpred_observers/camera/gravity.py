@@ -8,14 +8,14 @@ from typing import Annotated, Any
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.errors import EventError, ParameterError
+from pointpred.errors import EventError
 from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
 from pointpred.records import FloatArray
 from pointpred.stage import loop_into
 from pointpred_observers.camera.kinematics import back
 from pointpred_observers.camera.samples import CameraColumns, CameraSample, CameraStage, usable
-from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.numerics.matrices import matrix, wrong
 
 AT_REST = 0.1
 """A camera counts as resting if the measured force differs from g by less than this share."""
@@ -100,9 +100,7 @@ class Gravity(CameraStage):
 
     up: Any = option("opposite to gravity at the first sample, in the camera's frame", default=None)
     g: float = parameter("m/s^2", 1e-3, 1e3, "size of gravity", default=9.80665)
-    gap_s: float = parameter(
-        "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged", default=1.0
-    )
+    gap_s: float = parameter("s", 1e-3, 10.0, "longest silence that is bridged", default=1.0)
     states = State.length
     width = len(CameraSample._fields)
     layout = Memory
@@ -127,15 +125,13 @@ class Gravity(CameraStage):
 
     def _reason(self, values: tuple[float, ...], last_t: float | None) -> EventError:
         if last_t is None and usable(CameraSample(*values[:9]), 0.0, 0.0, 0.0):
-            return EventError(
-                f"the camera must rest at the first sample, where {np.linalg.norm(values[6:9]):g} m/s^2 were "
-                f"measured for g = {self.g:g} m/s^2: begin at rest, or give up"
-            )
+            felt = f"{np.linalg.norm(values[6:9]):g} m/s^2 were measured for g = {self.g:g} m/s^2"
+            return EventError(f"the camera must rest at the first sample, where {felt}, or give up")
         return super()._reason(values, last_t)
 
 
 def _directions(up: Any, rows: int) -> FloatArray:
     found = matrix("up", up, rows, 3)
     if not found.any(axis=1).all():
-        raise ParameterError(f"up must not be zero, received {up!r:.80}", field="up", value=up)
+        raise wrong("up", "must not be zero", up)
     return found

@@ -36,21 +36,8 @@ class CameraTable(Columns[tuple[float, ...]]):
     """Estimates as columns, NaN if unknown; ``peer_`` columns are the filter's."""
 
     names = (
-        "t",
-        "chi",
-        "eta",
-        "vx",
-        "vy",
-        "vz",
-        "detectable",
-        "certified",
-        "image",
-        "peer_chi",
-        "peer_eta",
-        "peer_vx",
-        "peer_vy",
-        "peer_vz",
-        "peer_depth_spread",
+        *("t", "chi", "eta", "vx", "vy", "vz", "detectable", "certified", "image"),
+        *("peer_chi", "peer_eta", "peer_vx", "peer_vy", "peer_vz", "peer_depth_spread"),
     )
 
     def _record(self, row: list[float]) -> tuple[float, ...]:
@@ -84,17 +71,16 @@ class CameraPipeline:
     def update(self, sample: CameraSample, /) -> CameraEstimate:
         """Consume one sample; a refused one changes nothing."""
         memory = self.observer.remembered()  # it has moved on when the filter refuses the sample
-        depth, accepted = self.observer.update(sample), False
+        depth = self.observer.update(sample)
         try:
             peer = self.peer.update(sample)
-            accepted = True
-        finally:
-            if not accepted:
-                self.observer.recall(memory)
+        except EventError:
+            self.observer.recall(memory)
+            raise
         d = self.unknown.update(sample, depth.eta)[:2]
-        row = DepthColumns([depth])
-        vx, vy, vz = velocities(np.array([d]), row)[0].tolist()
-        return CameraEstimate(depth, (vx, vy, vz), depth.detectable and not self._denied(peer), peer)
+        vx, vy, vz = velocities(np.array([d]), DepthColumns([depth]))[0].tolist()
+        denied = peer is not None and peer.eta - SURE * peer.eta_spread > -self.observer.decay
+        return CameraEstimate(depth, (vx, vy, vz), depth.detectable and not denied, peer)
 
     def run(self, samples: CameraColumns) -> CameraTable:
         """Consume a table; when a row is refused the error names it and nothing is consumed."""
@@ -106,19 +92,14 @@ class CameraPipeline:
             except EventError as refused:
                 for stage, memory in zip(stages, before, strict=True):
                     stage.recall(memory)
-                raise type(refused)(
-                    f"row {number}: {refused}", field=refused.field, value=refused.value
-                ) from refused
+                words = f"row {number}: {refused}"
+                raise type(refused)(words, field=refused.field, value=refused.value) from refused
         return CameraTable(np.array(rows).reshape(-1, len(CameraTable.names)))
-
-    def _denied(self, peer: PointEstimate | None) -> bool:
-        return peer is not None and peer.eta - SURE * peer.eta_spread > -self.observer.decay
 
 
 def _row(one: CameraEstimate) -> tuple[float, ...]:
-    depth, peer = one.depth, one.peer
-    other = (
-        (peer.chi, peer.eta, *peer.state[3:].tolist(), peer.depth_spread) if peer is not None else (nan,) * 6
-    )
+    depth, peer, other = one.depth, one.peer, (nan,) * 6
+    if peer is not None:
+        other = (peer.chi, peer.eta, *peer.state[3:].tolist(), peer.depth_spread)
     flags = (float(one.detectable), float(depth.certified), float(depth.image))
     return (depth.t, depth.chi, depth.eta, *one.velocity, *flags, *other)

@@ -100,34 +100,24 @@ class CameraStage(CompiledStage):
         bounds = (LATEST_S, LARGEST_PX, LARGEST_PX, *[LARGEST_W] * 3, *[LARGEST_A] * 3)
         missing = [one != one for one in values[1:3]]
         if any(missing) and not all(missing):
-            return EventError(
-                f"x and y come together or not at all, received {values[1]!r} and {values[2]!r}"
-            )
+            return EventError(f"x and y come together or not at all, received {values[1:3]}")
         for name, value, most in zip(CameraColumns.names, values, bounds, strict=False):
             if not abs(value) <= most and not (name in "xy" and all(missing)):
-                return EventError(
-                    f"{name} must lie in [{-most:g}, {most:g}], received {value!r}", field=name, value=value
-                )
+                words = f"{name} must lie in [{-most:g}, {most:g}], received {value!r}"
+                return EventError(words, field=name, value=value)
         t = values[0]
         if last_t is not None and t <= last_t:
-            return EventOrderError(
-                f"t must increase: received {t!r} s after {last_t!r} s", field="t", value=t
-            )
-        gap_s = float(self.layout(self._memory).settings.gap_s)
-        return EventError(
-            f"the inertial sensor was silent from {last_t!r} s to {t!r} s, at most {gap_s:g} s are "
-            "bridged: reset and begin anew",
-            field="t",
-            value=t,
-        )
+            words = f"t must increase: received {t!r} s after {last_t!r} s"
+            return EventOrderError(words, field="t", value=t)
+        most = float(self.layout(self._memory).settings.gap_s)
+        words = f"the inertial sensor was silent from {last_t!r} s to {t!r} s, at most {most:g} s are bridged"
+        return EventError(words, field="t", value=t)
 
 
 def _numbers(sample: CameraSample) -> CameraSample:
     """A sample as plain numbers."""
     if not isinstance(sample, CameraSample):
         raise EventError(f"a sample must be a CameraSample, received {sample!r:.80}")
-    if set(map(type, sample)) == {float}:
-        return sample
     for name, value in zip(CameraColumns.names, sample, strict=True):
         if not is_number(value):
             raise EventError(f"{name} must be a number, received {value!r}", field=name, value=value)

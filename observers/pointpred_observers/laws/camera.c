@@ -13,6 +13,7 @@ static const double camera_samples_LARGEST_A = 10000.0;
 static const double camera_samples_LARGEST_PX = 1000000.0;
 static const double camera_samples_LARGEST_W = 1000.0;
 static const double camera_samples_SUBSTEP_S = 0.05;
+static const double camera_velocity_EVER_S = 200000000000.0;
 static const double camera_velocity_SPREAD_START = 1.0;
 
 /* (chi, r)' with r = eta + w_y x - w_x y, the last row of T x: no unknown input in it. */
@@ -347,13 +348,10 @@ WIDE void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, do
   }
 }
 
-/* A state (p, v) and its covariance after ``h`` s, with the ``acceleration`` before and after. */
-void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ acceleration, double gyro, double accel) {
-  T3d before, after;
-  before = acceleration.f0;
-  after = acceleration.f1;
+/* A state (p, v) and its covariance after ``h`` s, with the acceleration ``a`` before and after. */
+void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ a, double gyro, double accel) {
   camera_kinematics_carry(s, h, turn);
-  camera_kinematics_push(s, h, turn, before, after);
+  camera_kinematics_push(s, h, turn, a.f0, a.f1);
   camera_kinematics_turn_covariance(p, h, turn);
   camera_kinematics_add_noise(p, s, gyro, accel);
 }
@@ -634,30 +632,28 @@ void camera_velocity_predict(camera_velocity_State * s, double density, double e
   s->p11 += density * h;
 }
 
-/* One ``FlowRow``: t, d_x, d_y and their standard deviation, 1/s. */
-T4d camera_velocity_step(camera_velocity_Memory * memory, T7d row) {
+/* A ``CameraSample``, then the observer's eta: t, d_x, d_y and their spread, 1/s, into ``out``. */
+void camera_velocity_step(camera_velocity_Memory * memory, Vector row, Vector out) {
   camera_velocity_Settings * settings;
   camera_velocity_State * s;
-  double t, x, y, eta, wx, wy, wz, total, near, far, ex, ey;
-  bool image;
+  double t, wx, wy, wz, eta, x, y, total, near, far, ex, ey;
+  bool image, known;
   settings = &memory->settings;
   s = &memory->state;
-  camera_velocity_FlowRow values_1 = camera_velocity_FlowRow_of_T7d(row);
-  t = values_1.t;
-  x = values_1.x;
-  y = values_1.y;
-  eta = values_1.eta;
-  wx = values_1.wx;
-  wy = values_1.wy;
-  wz = values_1.wz;
-  if (!(fabs(t) <= records_LATEST_S) || (s->started == 1.0 && !(t > s->t))) {
-    return (T4d){NAN, NAN, NAN, NAN};
+  t = row.p[0];
+  wx = row.p[3];
+  wy = row.p[4];
+  wz = row.p[5];
+  eta = row.p[9];
+  if (!camera_samples_usable((camera_samples_CameraSample){t, row.p[1], row.p[2], wx, wy, wz, row.p[6], row.p[7], row.p[8]}, s->started, s->t, camera_velocity_EVER_S)) {
+    return;
   }
+  x = row.p[1] / settings->focal_px;
+  y = row.p[2] / settings->focal_px;
+  out.p[0] = t;
   image = x == x;
-  if (eta != eta) {
-    return (T4d){t, s->imaged == 0.0 ? NAN : s->dx, s->imaged == 0.0 ? NAN : s->dy, sqrt(s->p11)};
-  }
-  if (s->imaged == 1.0) {
+  known = eta == eta;
+  if (known && s->imaged == 1.0) {
     camera_velocity_predict(s, settings->density, eta, wx, wy, wz, t - s->t);
     if (image) {
       total = s->p00 + settings->noise;
@@ -673,29 +669,25 @@ T4d camera_velocity_step(camera_velocity_Memory * memory, T7d row) {
       s->p01 *= 1.0 - near;
       s->p00 *= 1.0 - near;
     }
-  } else if (image) {
+  } else if (known && image) {
     s->imaged = 1.0;
     s->x = x;
     s->y = y;
     s->p00 = settings->noise;
     s->p11 = square(camera_velocity_SPREAD_START);
   }
-  s->started = 1.0;
-  s->t = t;
-  T2d values_2 = camera_velocity_flow(s->x, s->y, eta, wx, wy, wz);
-  s->kx = values_2.f0;
-  s->ky = values_2.f1;
-  if (s->imaged == 0.0) {
-    return (T4d){t, NAN, NAN, NAN};
+  if (known) {
+    s->started = 1.0;
+    s->t = t;
+    T2d values_1 = camera_velocity_flow(s->x, s->y, eta, wx, wy, wz);
+    s->kx = values_1.f0;
+    s->ky = values_1.f1;
   }
-  return (T4d){t, s->dx, s->dy, sqrt(s->p11)};
-}
-
-/* A row of a table as a tuple. */
-T7d camera_velocity_row_at(Table rows, int64_t i) {
-  Vector r;
-  r = (Vector){rows.p + i * rows.m, rows.m};
-  return (T7d){r.p[0], r.p[1], r.p[2], r.p[3], r.p[4], r.p[5], r.p[6]};
+  if (s->imaged == 1.0) {
+    out.p[1] = s->dx;
+    out.p[2] = s->dy;
+    out.p[3] = sqrt(s->p11);
+  }
 }
 
 void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
@@ -725,16 +717,11 @@ void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector beg
   }
 }
 
-void loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
-  T4d answer;
+void loop__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
   for (int64_t i = 0; i < rows.n; i++) {
     if (begin.p[i]) {
-      stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = camera_velocity_step((camera_velocity_Memory *)memory.p, camera_velocity_row_at(rows, i));
-    for (int64_t j = 0; j < 4; j++) {
-      out.p[i * out.m + j] = ((const double *)&answer)[j];
-    }
+    camera_velocity_step((camera_velocity_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
   }
 }

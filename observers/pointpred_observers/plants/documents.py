@@ -121,12 +121,9 @@ class ParameterVaryingDocument(Document, tag="parameter-varying plant", frozen=T
     @classmethod
     def of(cls, thing: CornerSystem) -> Self:
         """The document of a system that is known by its corners."""
-        held = [
-            dict(zip(thing.corners, each, strict=True)) for each in zip(*thing.corners.values(), strict=True)
-        ]
         corners = [
-            Corner(at=point, **{name: entries(one) for name, one in each.items()})
-            for point, each in zip(thing.box.corners, held, strict=True)
+            Corner(at=point, **{name: entries(one[i]) for name, one in thing.corners.items()})
+            for i, point in enumerate(thing.box.corners)
         ]
         given = fields_of(cls, thing) | {"box": dict(thing.box.bounds), "corners": corners}
         return cls(**given | {"C": entries(thing.c), "rates": thing.rates or None})
@@ -204,11 +201,8 @@ class SteadyStateDocument(Document, tag="steady state", frozen=True):
         """The document of a steady state."""
         free = [FreeTerms(one.degree, {x: text_of(e) for x, e in one.terms.items()}) for one in thing.free]
         given = fields_of(cls, msgspec.structs.replace(thing, generator=None, free=tuple(free)))
-        plant, generator = (
-            SymbolicPlantDocument.of(thing.system),
-            SymbolicGeneratorDocument.of(thing.generator),
-        )
-        return cls(**given | {"plant": plant, "generator": generator})
+        plant, driving = SymbolicPlantDocument.of(thing.system), thing.generator
+        return cls(**given | {"plant": plant, "generator": SymbolicGeneratorDocument.of(driving)})
 
     def made(self, functions: Functions) -> SymbolicSteadyState:
         """The steady state; raises CertificateError naming an equation that does not hold."""
