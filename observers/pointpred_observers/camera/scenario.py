@@ -88,8 +88,10 @@ def trajectory(scenario: Scenario, t: FloatArray) -> Trajectory:
         v, w = _vector(scenario.velocity, now), _vector(scenario.angular, now)
         return np.asarray(-v - np.cross(w, p))
 
-    span, exact = (0.0, times[-1]), {"rtol": ACCURACY, "atol": ACCURACY, "max_step": 0.25}
-    p = solve_ivp(rate, span, scenario.point, "DOP853", times, **exact).y.T
+    exact = solve_ivp(
+        rate, (0.0, times[-1]), scenario.point, "DOP853", times, rtol=ACCURACY, atol=ACCURACY, max_step=0.25
+    )
+    p = exact.y.T
     if not (p[:, 2] > 0.0).all():
         raise ParameterError(f"{scenario.name}: the camera reaches the point before {times[-1]:g} s")
     v, w = _vector(scenario.velocity, times), _vector(scenario.angular, times)

@@ -18,12 +18,16 @@ if TYPE_CHECKING:
     from pointpred_observers.simulations.result import Simulation
 
 app = typer.Typer(no_args_is_help=True)
-PlantFile = Annotated[
-    Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a plant.")
-]
-DesignFile = Annotated[
-    Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a design.")
-]
+
+
+def _file(what: str) -> Any:
+    """An argument that names a JSON file that exists."""
+    return typer.Argument(callback=check_exists, dir_okay=False, help=f"JSON file of {what}.")
+
+
+PlantFile = Annotated[Path, _file("a plant")]
+DesignFile = Annotated[Path, _file("a design")]
+GeneratorFile = Annotated[Path | None, _file("the generator that drives the plant (driven, interlaced)")]
 
 
 @app.command()
@@ -54,13 +58,13 @@ def example(
 
       pointpred observers example pendulum --out pendulum.json
     """
-    from pointpred_observers.cli.observer_examples import EXAMPLES
+    from pointpred_observers.cli.observer_results import EXAMPLES
     from pointpred_observers.files import encoded
 
     if plant not in EXAMPLES:
-        listed = "; ".join(f"{name}: {one.about}" for name, one in EXAMPLES.items())
+        listed = " ".join(f"{name}: {one.__doc__}" for name, one in EXAMPLES.items())
         raise ParameterError(f"PLANT must be one of these, received {plant!r}. {listed}", field="plant")
-    text = encoded(EXAMPLES[plant].plant())
+    text = encoded(EXAMPLES[plant]())
     if out is None:
         typer.echo(text.decode(), nl=False)
         return
@@ -72,14 +76,7 @@ def example(
 @app.command()
 def design(
     plant: PlantFile,
-    generator: Annotated[
-        Path | None,
-        typer.Argument(
-            callback=check_exists,
-            dir_okay=False,
-            help="JSON file of the generator that drives the plant (driven, interlaced).",
-        ),
-    ] = None,
+    generator: GeneratorFile = None,
     kind: Annotated[
         str | None,
         typer.Option(
@@ -127,7 +124,7 @@ def design(
     check_targets({"--out": target, "--json": json}, inputs, force)
     from pointpred_observers import design as designed
     from pointpred_observers import load, save
-    from pointpred_observers.cli.observer_tables import print_design, summary
+    from pointpred_observers.cli.observer_results import print_design, summary
 
     read, driving = load(plant), None if generator is None else load(generator)
     options = {"generator": driving, "upper": upper, "first": first}
@@ -138,9 +135,7 @@ def design(
         if wrong.field != "slopes":
             raise
         # Slopes stand in the file of the plant and in no option, so the file is where to mend them.
-        raise ParameterError(
-            f"{plant}: {wrong}", code=wrong.code, field=wrong.field, value=wrong.value
-        ) from wrong
+        raise ParameterError(f"{plant}: {wrong}", code=wrong.code, field=wrong.field) from wrong
     save(made, target)
     if json is not None:
         write_json(summary(made), json)
@@ -162,8 +157,7 @@ def audit(design: DesignFile, json: Numbers = None, force: Force = False) -> Non
     """
     check_targets({"--json": json}, [design], force)
     from pointpred_observers import audit as audited
-    from pointpred_observers.cli.observer_runs import design_of
-    from pointpred_observers.cli.observer_tables import print_audit, summary
+    from pointpred_observers.cli.observer_results import design_of, print_audit, summary
 
     made = design_of(design)
     margins = audited(made)
@@ -223,26 +217,20 @@ def simulate(
         require("report", "--plot")
         check_ending(plot)
     from pointpred_observers import simulate as simulated
-    from pointpred_observers.cli.observer_runs import design_of, sampling, signals, write_signals
-    from pointpred_observers.cli.observer_tables import errors_document, print_errors
+    from pointpred_observers.cli import observer_results as results
 
-    made = design_of(design)
-    asked: dict[str, Any] = signals(
-        start=start,
-        input=input,
-        unknown_input=unknown_input,
-        parameter=parameter,
-        noise=noise,
-    )
-    result: Simulation = simulated(made.plant, made, times=sampling(made.plant, seconds), seed=seed, **asked)
+    made = results.design_of(design)
+    asked = results.signals(start, noise, parameter, input=input, unknown_input=unknown_input)
+    times = results.sampling(made.plant, seconds)
+    result: Simulation = simulated(made.plant, made, times=times, seed=seed, **asked)
     if plot is not None:
         result.plot(plot)
     if out is not None:
-        write_signals(result, out)
+        results.write_signals(result, out)
     if json is not None:
-        write_json(errors_document(result), json)
+        write_json(results.errors_document(result), json)
     if json is None or str(json) != "-":
-        print_errors(result)
+        results.print_errors(result)
     for target in (plot, out):
         if target is not None:
             remarks().print(f"written: {target}")
