@@ -292,7 +292,7 @@ def test_a_figure_is_written_in_one_call(tmp_path: Path) -> None:
 
 
 FAILING: list[tuple[str, Any, str]] = [
-    ("schedule", lambda t: {"k": 1.0}, r"function of t and x .* it fails at t = 0: TypeError"),
+    ("schedule", lambda t: {"k": 1.0}, r"function of t and x, it fails at t = 0: TypeError"),
     ("schedule", lambda t, x: 1.0, r"schedule must return a dict of k, received 1\.0 at t = 0"),
     ("schedule", lambda t, x: {"k": 1.0 / t}, "it fails at t = 0: ZeroDivisionError"),
     (
@@ -300,7 +300,7 @@ FAILING: list[tuple[str, Any, str]] = [
         lambda t, x: {"k": np.nan if t > 0.05 else 1.5},
         r"finite number .* received nan at t = 0\.0",
     ),
-    ("schedule", {"k": "a"}, r"a finite number for k, .* received 'a' at t = 0"),
+    ("schedule", {"k": "a"}, r"a finite number for k, received 'a' at t = 0"),
     ("input", lambda: 1.0, "it fails at t = 0: TypeError: .* takes 0 positional arguments"),
     ("input", lambda t: np.nan if t > 0.05 else 1.0, r"input must be finite, it is \[nan\] at t = 0\.0"),
 ]

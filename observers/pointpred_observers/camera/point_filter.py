@@ -177,7 +177,7 @@ class PointEstimate(msgspec.Struct, frozen=True):
     def eta_spread(self) -> float:
         """Standard deviation of v_z/Z, 1/s, to first order."""
         slope = np.array([-self.eta * self.chi, self.chi])
-        return sqrt(float(slope @ self.covariance[np.ix_((2, 5), (2, 5))] @ slope))
+        return sqrt(float(slope @ self.covariance[2::3, 2::3] @ slope))
 
 
 class PointTrack(msgspec.Struct, frozen=True):
@@ -238,9 +238,8 @@ class PointFilter(CameraStage):
     def update(self, sample: CameraSample, /) -> PointEstimate | None:
         """Consume one sample; ``None`` before the start. A refused sample changes nothing."""
         found = Answer(self.advance(sample))
-        if found.running != 1.0:
-            return None
-        return PointEstimate(found.t, found.state.copy(), found.spread.m, int(found.restarts))
+        estimate = PointEstimate(found.t, found.state.copy(), found.spread.m, int(found.restarts))
+        return estimate if found.running == 1.0 else None
 
     def run(self, columns: CameraColumns) -> PointTrack:
         """Consume a table; a refused row raises its error and nothing is consumed."""

@@ -26,8 +26,7 @@ BORDER = 1e-9
 NO_DIFFERENCE = 1e-9
 """A difference below this share of the largest value of the same entry counts as none."""
 CANCELLED = 4.0 * equalities.REMAINDER
-"""The same beside the terms of a computed entry: one below ``equalities.REMAINDER`` of them may have been set
-to zero at any of the points."""
+"""The same beside the terms of a computed entry, of which a small share may have been set to zero."""
 POINTS = 16
 SEED = 20211217
 
@@ -135,8 +134,8 @@ class Box:
         for name in self.outside(point):
             low, high = self.bounds[name]
             raise wrong(name, f"must lie in [{low:g}, {high:g}]", point[name])
-        weights = np.zeros(len(self.vertices))
-        weigh(self.axes, np.array([point[name] for name in self.names], np.float64), weights)
+        weights, values = np.zeros(len(self.vertices)), np.array([point[name] for name in self.names])
+        weigh(self.axes, values.astype(np.float64), weights)
         return weights
 
     def mixed(self, matrices: FloatArray, point: Point) -> FloatArray:

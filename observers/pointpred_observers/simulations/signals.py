@@ -12,7 +12,7 @@ import numpy as np
 from pointpred.errors import ParameterError, PointpredError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.numerics.matrices import matrix, vector
+from pointpred_observers.numerics.matrices import matrix, vector, wrong
 from pointpred_observers.plants.boxes import Box, Point
 from pointpred_observers.plants.varying import ParameterVaryingSystem
 from pointpred_observers.simulations.trajectories import Field, trajectory
@@ -42,9 +42,7 @@ class Setting(msgspec.Struct, frozen=True):
             return np.asarray(np.arange(SAMPLES) * (1.0 if discrete else STEP_S), np.float64)
         times: FloatArray = matrix("times", self.times, 1)[0]
         if len(times) < 2 or (np.diff(times) <= 0.0).any():
-            raise ParameterError(
-                f"times needs two samples or more that increase, received {self.times!r:.60}"
-            )
+            raise wrong("times", "needs two samples or more that increase", times)
         if discrete and (np.diff(times) != 1.0).any():
             raise ParameterError("the samples of a discrete plant are its steps: times must go up by 1")
         return times
@@ -65,16 +63,7 @@ class Setting(msgspec.Struct, frozen=True):
             return lambda t: constant
 
         def value(t: float) -> FloatArray:
-            try:
-                now = vector(name, given(t), size)
-            except PointpredError:
-                raise
-            except (TypeError, ValueError, ArithmeticError, LookupError) as failure:
-                raise ParameterError(
-                    f"{name} must be a function of t, it fails at t = {t:g}: "
-                    f"{type(failure).__name__}: {failure}",
-                    field=name,
-                ) from failure
+            now = vector(name, _called(name, "a function of t", lambda: given(t), t), size)
             if not np.isfinite(now).all():
                 raise ParameterError(f"{name} must be finite, it is {now.tolist()} at t = {t:g}", field=name)
             return now
@@ -92,15 +81,10 @@ class Setting(msgspec.Struct, frozen=True):
         """Outputs (N, p) with the noise."""
         sizes = matrix("noise", self.noise, 1)[0]
         if (sizes < 0.0).any() or len(sizes) not in (1, exact.shape[1]):
-            raise ParameterError(
-                f"noise needs a standard deviation not below 0, or {exact.shape[1]} of them, "
-                f"received {self.noise!r}",
-                field="noise",
-                value=self.noise,
-            )
+            must = f"needs a standard deviation not below 0, or {exact.shape[1]} of them"
+            raise wrong("noise", must, self.noise)
         drawn = np.random.default_rng(self.seed).standard_normal(exact.shape)
-        noisy: FloatArray = exact + sizes * drawn
-        return noisy
+        return np.asarray(exact + sizes * drawn)
 
     @property
     def silent(self) -> bool:
@@ -124,58 +108,47 @@ def schedule_of(given: Any, box: Box) -> Callable[[float, FloatArray], Point]:
     names = box.names
     if given is None:
         given = {name: 0.5 * (low + high) for name, (low, high) in box.bounds.items()}
+    needed = (
+        f"a dict of {', '.join(names)}, each a number or a function of t, or a function of t and x"
+    )
     if not (callable(given) or isinstance(given, Mapping)):
-        raise ParameterError(
-            f"schedule must be a dict of {', '.join(names)} or a function of t and x, received {given!r:.60}",
-            field="schedule",
-            value=given,
-        )
+        raise wrong("schedule", f"must be {needed}", given)
 
-    def schedule(t: float, x: FloatArray) -> Point:
-        try:
-            if callable(given):
-                point: Any = given(t, x)
-            else:
-                point = {name: one(t) if callable(one) else one for name, one in given.items()}
-        except PointpredError:
-            raise
-        except (TypeError, ValueError, ArithmeticError, LookupError, AttributeError) as failure:
-            raise ParameterError(
-                f"schedule must be a dict of {', '.join(names)}, each a number or a function of t, or one "
-                f"function of t and x that returns such a dict; it fails at t = {t:g}: "
-                f"{type(failure).__name__}: {failure}",
-                field="schedule",
-            ) from failure
-        return _point(point, names, t)
+    def asked(t: float, x: FloatArray) -> Any:
+        if callable(given):
+            return given(t, x)
+        return {name: one(t) if callable(one) else one for name, one in given.items()}
 
-    return schedule
+    return lambda t, x: _point(_called("schedule", needed, lambda: asked(t, x), t), names, t)
+
+
+def _called(name: str, needed: str, call: Callable[[], Any], t: float) -> Any:
+    """What a function of a caller gives; raises ParameterError where it fails."""
+    try:
+        return call()
+    except PointpredError:
+        raise
+    except (TypeError, ValueError, ArithmeticError, LookupError, AttributeError) as failure:
+        words = f"{name} must be {needed}, it fails at t = {t:g}: {type(failure).__name__}: {failure}"
+        raise ParameterError(words, field=name) from failure
 
 
 def _point(given: Any, names: tuple[str, ...], t: float) -> Point:
     """Scheduling variables as finite numbers; raises ParameterError for others, and for a missing one."""
     if not isinstance(given, Mapping):
-        raise ParameterError(
-            f"schedule must return a dict of {', '.join(names)}, received {given!r:.60} at t = {t:g}",
-            field="schedule",
-            value=given,
-        )
+        words = f"schedule must return a dict of {', '.join(names)}, received {given!r:.60} at t = {t:g}"
+        raise ParameterError(words, field="schedule", value=given)
     if missing := [name for name in names if name not in given]:
-        raise ParameterError(
-            f"schedule lacks {', '.join(missing)}, received {', '.join(map(str, given))}", field="schedule"
-        )
-    point = {
-        name: one.item() if isinstance(one, np.ndarray) and one.size == 1 else one
-        for name, one in given.items()
-    }
-    for name, value in point.items():
+        words = f"schedule lacks {', '.join(missing)}, received {', '.join(map(str, given))}"
+        raise ParameterError(words, field="schedule")
+    point = {}
+    for name, one in given.items():
+        value = one.item() if isinstance(one, np.ndarray) and one.size == 1 else one
         if not (is_number(value) and isfinite(value)):
-            raise ParameterError(
-                f"schedule needs a finite number for {name}, or a function of t that returns one, received "
-                f"{value!r:.60} at t = {t:g}",
-                field="schedule",
-                value=value,
-            )
-    return {name: float(value) for name, value in point.items()}
+            words = f"schedule needs a finite number for {name}, received {value!r:.60} at t = {t:g}"
+            raise ParameterError(words, field="schedule", value=value)
+        point[name] = float(value)
+    return point
 
 
 def matrices_at(system: ParameterVaryingSystem, point: Point) -> tuple[FloatArray, FloatArray]:
@@ -183,8 +156,5 @@ def matrices_at(system: ParameterVaryingSystem, point: Point) -> tuple[FloatArra
     try:
         return system.a(point), system.f(point)
     except KeyError as missing:
-        raise ParameterError(
-            f"schedule lacks the variable {missing} of the plant, received {', '.join(point)}: give it as "
-            "well, as a number or a function",
-            field="schedule",
-        ) from missing
+        words = f"schedule lacks the variable {missing} of the plant, received {', '.join(point)}"
+        raise ParameterError(words, field="schedule") from missing

@@ -11,7 +11,7 @@ import numpy as np
 
 from pointpred.errors import DivergenceError, ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.numerics.matrices import TIMES, listed, matrix, one_of, positive
+from pointpred_observers.numerics.matrices import TIMES, listed, matrix, one_of, positive, wrong
 
 Field = Callable[[float, FloatArray], Any]
 CHUNK = 1024
@@ -69,9 +69,7 @@ def trajectory(
     one_of("time", time, TIMES)
     positive("tolerance", tolerance)
     if not callable(field):
-        raise ParameterError(
-            f"field must be a function of t and x, received {field!r}", field="field", value=field
-        )
+        raise wrong("field", "must be a function of t and x", field)
     t = matrix("times", listed("times", times), 1)[0]
     if not len(t):
         raise ParameterError("times needs at least one time, received none", field="times")
@@ -109,22 +107,15 @@ def _integrated(field: Field, x0: FloatArray, t: FloatArray, longest: float, tol
         if now > furthest:
             furthest, advanced = now, calls
         if calls - advanced > STANDING_MOST:
-            raise DivergenceError(
-                f"the trajectory stands still near t = {now:g}: its numbers are too large, or it grows or "
-                "turns too fast"
-            )
+            raise DivergenceError(f"the trajectory stands still near t = {now:g}: it grows or turns too fast")
         if calls > budget:
-            raise DivergenceError(
-                f"the trajectory needs more than {budget} values of the field and has reached t = {now:g}: "
-                "it grows or turns too fast, take fewer or closer times, or a smaller start"
-            )
+            reached = f"needs more than {budget} values of the field and has reached t = {now:g}"
+            raise DivergenceError(f"the trajectory {reached}: it grows or turns too fast")
         return change
 
-    solution = solve_ivp(
-        counted, (t[0], t[-1]), x0, "LSODA", t, rtol=tolerance, atol=tolerance, max_step=longest
-    )
+    ends = (t[0], t[-1])
+    solution = solve_ivp(counted, ends, x0, "LSODA", t, rtol=tolerance, atol=tolerance, max_step=longest)
     if solution.status != 0:
         reached = solution.t[-1] if len(solution.t) else t[0]
         raise DivergenceError(f"the trajectory leaves every bound after t = {reached:g}: {solution.message}")
-    states: FloatArray = np.ascontiguousarray(solution.y.T)
-    return states
+    return np.ascontiguousarray(solution.y.T)
