@@ -21,7 +21,7 @@ from pointpred_observers.reduced_order.reversed_connection import invariant_obse
 from pointpred_observers.regressors.excitation import persistent_excitation
 from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
 from pointpred_observers.regressors.regressions import Regression
-from pointpred_observers.simulations.trajectories import trajectory
+from pointpred_observers.simulations.signals import trajectory
 from pointpred_observers.triangular.forms import interlaced
 from pointpred_observers.unknown_input.stage import UnknownInputSample
 

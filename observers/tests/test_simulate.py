@@ -17,8 +17,8 @@ from observers.tests import kept_designs as kept
 from pointpred.errors import DivergenceError, EventError, ParameterError
 from pointpred_observers import trajectory
 from pointpred_observers.interconnected.persidskii_stage import PersidskiiStage
-from pointpred_observers.simulations import trajectories
-from pointpred_observers.simulations.trajectories import SeededSignal
+from pointpred_observers.simulations import signals
+from pointpred_observers.simulations.signals import SeededSignal
 
 pytest.importorskip("cvxpy")
 
@@ -350,7 +350,7 @@ def test_a_start_beyond_what_can_be_computed_ends_at_once() -> None:
 
 
 def test_a_field_that_turns_too_fast_ends_after_so_many_values(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(trajectories, "CALLS_MOST", 5000)
+    monkeypatch.setattr(signals, "CALLS_MOST", 5000)
     with pytest.raises(
         DivergenceError, match="needs more than 7000 values of the field and has reached t = "
     ):

@@ -24,8 +24,8 @@ from pointpred_observers import (
     load,
 )
 from pointpred_observers import examples as thesis
-from pointpred_observers.plants.expressions import parsed
-from pointpred_observers.plants.polynomials import symbolic
+from pointpred_observers.plants.entries import parsed
+from pointpred_observers.plants.symbolic import symbolic
 from pointpred_observers.simulations.result import Simulation
 
 SAMPLES_MOST = 1_000_000

@@ -20,16 +20,18 @@ from pointpred_observers.plants.entries import (
     fields_of,
     finite,
     named,
+    parsed,
     restored,
+    symbols_of,
+    text_of,
     unbounded,
 )
-from pointpred_observers.plants.expressions import parsed, symbols_of, text_of
 from pointpred_observers.plants.generator import Generator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.plants.nonlinearity import KNOWN, NAMED, Nonlinearity
 from pointpred_observers.plants.persidskii import NAMES, Persidskii
-from pointpred_observers.plants.polynomials import Free
 from pointpred_observers.plants.symbolic import (
+    Free,
     SymbolicGenerator,
     SymbolicSteadyState,
     SymbolicSystem,

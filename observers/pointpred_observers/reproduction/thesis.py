@@ -26,7 +26,7 @@ from pointpred_observers.plants.symbolic import SymbolicSteadyState
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.reversed_connection import InvariantObserver
 from pointpred_observers.reproduction.figures import figure, panel, panels
-from pointpred_observers.simulations.trajectories import SeededSignal
+from pointpred_observers.simulations.signals import SeededSignal
 from pointpred_observers.thesis import closed_loop, residuals
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver, driven_field, outputs_of
 

@@ -11,8 +11,7 @@ import numpy as np
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.eigenvalues import require_detectable
-from pointpred_observers.plants.polynomials import symbolic
-from pointpred_observers.plants.symbolic import SymbolicSteadyState
+from pointpred_observers.plants.symbolic import SymbolicSteadyState, symbolic
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.decay import DecayCertificate, certify_decay
 from pointpred_observers.proofs.error_system import ErrorSystem

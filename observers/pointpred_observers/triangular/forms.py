@@ -11,12 +11,15 @@ from typing import Any
 
 from pointpred.errors import ParameterError
 from pointpred_observers.numerics.matrices import instance, listed
-from pointpred_observers.plants.polynomials import Free, power_series, shortened, symbolic
 from pointpred_observers.plants.symbolic import (
+    Free,
     SymbolicGenerator,
     SymbolicSteadyState,
     SymbolicSystem,
     known_degree,
+    power_series,
+    shortened,
+    symbolic,
 )
 from pointpred_observers.triangular.ranges import StateRegion, prove_nonzero
 

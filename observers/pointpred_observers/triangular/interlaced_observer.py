@@ -33,11 +33,15 @@ from pointpred_observers.plants.entries import (
     finite,
     gap_of,
     matrices_of,
+    parsed,
     plain,
 )
-from pointpred_observers.plants.expressions import parsed
-from pointpred_observers.plants.polynomials import symbolic
-from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.plants.symbolic import (
+    SymbolicGenerator,
+    SymbolicSteadyState,
+    SymbolicSystem,
+    symbolic,
+)
 from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound
 from pointpred_observers.proofs.definite import solved
 from pointpred_observers.proofs.error_system import ErrorSystem

@@ -11,7 +11,7 @@ from math import inf, isfinite
 from typing import Any
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred_observers.plants.polynomials import shortened, symbolic
+from pointpred_observers.plants.symbolic import shortened, symbolic
 
 StateRegion = Mapping[Any, tuple[float, float]] | Sequence[tuple[float, float]] | None
 """(low, high) of each state: a dictionary by symbol or name, or pairs in order; ``None``: no bounds."""
