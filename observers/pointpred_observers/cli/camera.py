@@ -16,13 +16,13 @@ from pointpred.cli.output_files import (
     check_targets,
     write_json,
 )
-from pointpred.cli.reading_options import check_exists
 from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
+from pointpred_observers.cli import existing, option
 
 app = typer.Typer(no_args_is_help=True)
-Focal = Annotated[float, typer.Option(metavar="PX", help="Focal length in px; there is no default.")]
-Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point: uniform in +- this many px.")]
+Focal = Annotated[float, option("PX", "Focal length in px; there is no default.")]
+Seen = Annotated[float, option("PX", "Noise of the point: uniform in +- this many px.")]
 SMALLEST_PX = 0.05
 """The least noise the filter assumes: with none it would rely on its first image alone."""
 
@@ -33,7 +33,7 @@ def simulate(
     scenario: Annotated[
         str, typer.Argument(help="paper, approaching, axial, rotating or stationary.")
     ] = "paper",
-    out: Annotated[Path, typer.Option(metavar="FILE", help="CSV file to write.")] = Path("camera.csv"),
+    out: Annotated[Path, option("FILE", "CSV file to write.")] = Path("camera.csv"),
     seconds: Annotated[float, typer.Option(help="Length, s.")] = 10.0,
     noise: Seen = 2.0,
     seed: Seed = 0,
@@ -79,31 +79,17 @@ def simulate(
 
 @app.command()
 def run(
-    samples: Annotated[
-        Path, typer.Argument(callback=check_exists, dir_okay=False, help="CSV of camera samples.")
-    ],
+    samples: Annotated[Path, existing("CSV of camera samples.")],
     focal_px: Focal,
-    truth: Annotated[
-        Path | None,
-        typer.Argument(
-            callback=check_exists, dir_okay=False, help="CSV with the true values, to be compared with."
-        ),
-    ] = None,
+    truth: Annotated[Path | None, existing("CSV with the true values, to be compared with.")] = None,
     start: Annotated[
-        str,
-        typer.Option(
-            metavar="M[,M/S]", help="What the observer starts with: the depth, and the velocity forwards."
-        ),
+        str, option("M[,M/S]", "Depth and forward velocity that the observer starts with.")
     ] = "1,0",
     up: Annotated[
-        str | None,
-        typer.Option(
-            metavar="X,Y,Z|rest",
-            help="Remove gravity: the direction opposite to it at first, or of a camera at rest.",
-        ),
+        str | None, option("X,Y,Z|rest", "Remove gravity: its opposite at first, or from rest.")
     ] = None,
     noise: Seen = 2.0,
-    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
+    plot: Annotated[Path | None, option("FILE", "SVG file to draw.")] = None,
     json: Numbers = None,
     force: Force = False,
 ) -> None:

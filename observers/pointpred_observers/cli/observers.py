@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from pointpred.cli.output_files import Force, Numbers, Seed, check_targets, write_json
-from pointpred.cli.reading_options import check_exists
 from pointpred.console import remarks
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
+from pointpred_observers.cli import existing, option
 
 if TYPE_CHECKING:
     from pointpred_observers.simulations.result import Simulation
@@ -20,14 +20,8 @@ if TYPE_CHECKING:
 app = typer.Typer(no_args_is_help=True)
 
 
-def _file(what: str) -> Any:
-    """An argument that names a JSON file that exists."""
-    return typer.Argument(callback=check_exists, dir_okay=False, help=f"JSON file of {what}.")
-
-
-PlantFile = Annotated[Path, _file("a plant")]
-DesignFile = Annotated[Path, _file("a design")]
-GeneratorFile = Annotated[Path | None, _file("the generator that drives the plant (driven, interlaced)")]
+PlantFile = Annotated[Path, existing("JSON file of a plant.")]
+DesignFile = Annotated[Path, existing("JSON file of a design.")]
 
 
 @app.command()
@@ -38,9 +32,7 @@ def example(
             help="motor, pendulum, tank, wing, spring, oven, or a generator: oscillator, heating."
         ),
     ] = "motor",
-    out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="File to write; not given: printed.")
-    ] = None,
+    out: Annotated[Path | None, option("FILE", "File to write; not given: printed.")] = None,
     force: Force = False,
 ) -> None:
     """Print a plant as JSON, to be changed into your own.
@@ -76,30 +68,19 @@ def example(
 @app.command()
 def design(
     plant: PlantFile,
-    generator: GeneratorFile = None,
+    generator: Annotated[Path | None, existing("JSON file of the generator (driven, interlaced).")] = None,
     kind: Annotated[
         str | None,
-        typer.Option(
-            metavar="KIND",
-            help="reduced, full, driven, regulator, unknown-input or interlaced. Not given: what the plant "
-            "allows.",
+        option(
+            "KIND",
+            "reduced, full, driven, regulator, unknown-input or interlaced; else what the plant allows.",
         ),
     ] = None,
-    decay: Annotated[
-        float,
-        typer.Option(metavar="RATE", help="Decay demanded of the error, 1/s (1/step of a discrete plant)."),
-    ] = 1.0,
-    out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Design to write (PLANT_design.json).")
-    ] = None,
-    upper: Annotated[
-        int | None, typer.Option(metavar="ROWS", help="Rows of the upper part (interlaced; 0).")
-    ] = None,
+    decay: Annotated[float, option("RATE", "Decay demanded of the error, 1/s (1/step if discrete).")] = 1.0,
+    out: Annotated[Path | None, option("FILE", "Design to write (PLANT_design.json).")] = None,
+    upper: Annotated[int | None, option("ROWS", "Rows of the upper part (interlaced; 0).")] = None,
     first: Annotated[
-        str | None,
-        typer.Option(
-            metavar="EXPRESSION", help="The steady state of the first lower row, such as w1 (interlaced)."
-        ),
+        str | None, option("EXPRESSION", "Steady state of the first lower row (interlaced).")
     ] = None,
     json: Numbers = None,
     force: Force = False,
@@ -171,31 +152,16 @@ def audit(design: DesignFile, json: Numbers = None, force: Force = False) -> Non
 def simulate(
     design: DesignFile,
     seconds: Annotated[
-        float | None, typer.Option(help="Length, s (10); of a discrete plant, in steps (1000).")
+        float | None, typer.Option(help="Length, s (10), or steps (1000) of a discrete plant.")
     ] = None,
-    start: Annotated[
-        str | None, typer.Option(metavar="A,B,...", help="State of the plant at first; not given: ones.")
-    ] = None,
-    input: Annotated[
-        list[str] | None,
-        typer.Option(metavar="EXPRESSION", help="A known input, a function of t; once for each input."),
-    ] = None,
-    unknown_input: Annotated[
-        list[str] | None,
-        typer.Option(metavar="EXPRESSION", help="An input that nobody measures, a function of t."),
-    ] = None,
-    parameter: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=EXPRESSION", help="A scheduling variable, a function of t."),
-    ] = None,
-    noise: Annotated[
-        str, typer.Option(metavar="SD", help="Standard deviation of the outputs' noise, or one for each.")
-    ] = "0",
+    start: Annotated[str | None, option("A,B,...", "State of the plant at first; not given: ones.")] = None,
+    input: Annotated[list[str] | None, option("EXPRESSION", "A known input over t; once for each.")] = None,
+    unknown_input: Annotated[list[str] | None, option("EXPRESSION", "An unmeasured input over t.")] = None,
+    parameter: Annotated[list[str] | None, option("NAME=EXPRESSION", "A scheduling variable over t.")] = None,
+    noise: Annotated[str, option("SD", "Standard deviation of the outputs' noise, or one for each.")] = "0",
     seed: Seed = 0,
-    plot: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Figure to draw: .svg, .png or .pdf.")
-    ] = None,
-    out: Annotated[Path | None, typer.Option(metavar="FILE", help="CSV file of every signal.")] = None,
+    plot: Annotated[Path | None, option("FILE", "Figure to draw: .svg, .png or .pdf.")] = None,
+    out: Annotated[Path | None, option("FILE", "CSV file of every signal.")] = None,
     json: Numbers = None,
     force: Force = False,
 ) -> None:

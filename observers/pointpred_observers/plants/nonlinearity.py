@@ -27,26 +27,7 @@ SCALES = 9
 """At points of as many sizes, down to 1e-4 of the domain, one argument after the other is moved."""
 
 IDENTITY, SIN, TANH, ATAN, SATURATION, CUBE = 0, 1, 2, 3, 4, 5
-
-
-class Known(NamedTuple):
-    """A named nonlinearity: its code in compiled laws, and the bounds of its slope."""
-
-    code: int
-    low: float
-    high: float
-
-
-KNOWN = {
-    "identity": Known(IDENTITY, 1.0, 1.0),
-    "sin": Known(SIN, -1.0, 1.0),
-    "tanh": Known(TANH, 0.0, 1.0),
-    "atan": Known(ATAN, 0.0, 1.0),
-    "saturation": Known(SATURATION, 0.0, 1.0),
-    "cube": Known(CUBE, 0.0, inf),
-}
-"""What compiled stages can evaluate; ``cube`` has a bounded slope only where its argument is bounded."""
-NAMED = {one.code: name for name, one in KNOWN.items()}
+NAMED = dict(enumerate(("identity", "sin", "tanh", "atan", "saturation", "cube")))
 
 
 @law
@@ -63,6 +44,33 @@ def value(code: float, s: float) -> float:
     if code == CUBE:
         return s * s * s
     return s
+
+
+def true_slopes(code: int, domain: float) -> tuple[float, float]:
+    """The least and the largest slope of a named f within +-``domain``."""
+    if code == SIN:
+        return (cos(domain) if domain < pi else -1.0), 1.0
+    if code == TANH:
+        return 1.0 - tanh(domain) ** 2, 1.0
+    if code == ATAN:
+        return 1.0 / (1.0 + domain * domain), 1.0
+    if code == SATURATION:
+        return (1.0 if domain <= 1.0 else 0.0), 1.0
+    if code == CUBE:
+        return 0.0, 3.0 * domain * domain
+    return 1.0, 1.0
+
+
+class Known(NamedTuple):
+    """A named nonlinearity: its code in compiled laws, and the bounds of its slope."""
+
+    code: int
+    low: float
+    high: float
+
+
+KNOWN = {name: Known(code, *true_slopes(code, inf)) for code, name in NAMED.items()}
+"""What compiled stages can evaluate; ``cube`` has a bounded slope only where its argument is bounded."""
 
 
 class Nonlinearity(msgspec.Struct, frozen=True):
@@ -121,21 +129,6 @@ def intervals(slopes: Any, count: int) -> tuple[tuple[float, float], ...]:
     if np.isnan(pairs).any() or (pairs[:, 0] > pairs[:, 1]).any():
         raise wrong("slopes", "need low <= high in each pair", slopes)
     return tuple((float(low), float(high)) for low, high in pairs)
-
-
-def true_slopes(code: int, domain: float) -> tuple[float, float]:
-    """The least and the largest slope of a named f within +-``domain``."""
-    if code == SIN:
-        return (cos(domain) if domain < pi else -1.0), 1.0
-    if code == TANH:
-        return 1.0 - tanh(domain) ** 2, 1.0
-    if code == ATAN:
-        return 1.0 / (1.0 + domain * domain), 1.0
-    if code == SATURATION:
-        return (1.0 if domain <= 1.0 else 0.0), 1.0
-    if code == CUBE:
-        return 0.0, 3.0 * domain * domain
-    return 1.0, 1.0
 
 
 def require_slopes(f: Nonlinearity, count: int, arguments: int, domain: float) -> None:
