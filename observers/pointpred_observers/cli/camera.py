@@ -18,7 +18,7 @@ from pointpred.cli.output_files import (
 )
 from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
-from pointpred_observers.cli import existing, option
+from pointpred_observers.cli import existing, option, write_table
 
 app = typer.Typer(no_args_is_help=True)
 Focal = Annotated[float, option("PX", "Focal length in px; there is no default.")]
@@ -54,7 +54,7 @@ def simulate(
     """
     from pointpred_observers.camera import SCENARIOS, CameraColumns, Noise
     from pointpred_observers.camera import simulate as make
-    from pointpred_observers.cli.camera_files import TRUTH, truth_table, write_table
+    from pointpred_observers.cli.camera_files import TRUTH, truth_table
 
     if scenario not in SCENARIOS:
         raise ParameterError(f"SCENARIO must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
@@ -85,9 +85,7 @@ def run(
     start: Annotated[
         str, option("M[,M/S]", "Depth and forward velocity that the observer starts with.")
     ] = "1,0",
-    up: Annotated[
-        str | None, option("X,Y,Z|rest", "Remove gravity: its opposite at first, or from rest.")
-    ] = None,
+    up: Annotated[str | None, option("X,Y,Z|rest", "Remove gravity: up at first, or at rest.")] = None,
     noise: Seen = 2.0,
     plot: Annotated[Path | None, option("FILE", "SVG file to draw.")] = None,
     json: Numbers = None,

@@ -28,14 +28,6 @@ Errors = dict[str, dict[str, float | None]]
 SHOWN = (("depth Z [m]", None), ("v_x [m/s]", "vx"), ("v_y [m/s]", "vy"), ("v_z [m/s]", "vz"))
 
 
-def write_table(target: Path, names: Names, rows: FloatArray) -> None:
-    """A CSV file with a header; what is not there (NaN) is an empty field."""
-    with target.open("w", newline="", encoding="utf-8") as stream:
-        writer = csv.writer(stream)
-        writer.writerow(names)
-        writer.writerows([["" if v != v else repr(v) for v in row] for row in rows.tolist()])
-
-
 def read_table(source: Path, names: Names, more: Names = ()) -> FloatArray:
     """The columns of a CSV file, in any order, and ``more`` if all of these are there.
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable
-from io import TextIOWrapper
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +10,6 @@ import numpy as np
 
 from pointpred.console import results, table
 from pointpred.errors import ParameterError
-from pointpred.files import whole
 from pointpred.records import FloatArray
 from pointpred_observers import (
     Box,
@@ -24,6 +21,7 @@ from pointpred_observers import (
     load,
 )
 from pointpred_observers import examples as thesis
+from pointpred_observers.cli import write_table
 from pointpred_observers.plants.entries import parsed
 from pointpred_observers.plants.symbolic import symbolic
 from pointpred_observers.simulations.result import Simulation
@@ -195,11 +193,7 @@ def write_signals(result: Simulation, target: Path) -> None:
             columns |= {f"{name}{i + 1}_estimate": one for i, one in enumerate(estimates[name].T)}
     if result.bound.size:
         columns["bound"] = result.bound
-    with whole(target) as unfinished, TextIOWrapper(unfinished, encoding="utf-8", newline="") as stream:
-        writer = csv.writer(stream)
-        writer.writerow(columns)
-        for row in zip(*(one.tolist() for one in columns.values()), strict=True):
-            writer.writerow(["" if value != value else repr(value) for value in row])
+    write_table(target, columns, np.column_stack(list(columns.values())))
 
 
 def summary(design: Observer) -> dict[str, Any]:

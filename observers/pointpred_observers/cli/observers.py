@@ -80,7 +80,7 @@ def design(
     out: Annotated[Path | None, option("FILE", "Design to write (PLANT_design.json).")] = None,
     upper: Annotated[int | None, option("ROWS", "Rows of the upper part (interlaced; 0).")] = None,
     first: Annotated[
-        str | None, option("EXPRESSION", "Steady state of the first lower row (interlaced).")
+        str | None, option("EXPRESSION", "Map of the first lower row, as w1 (interlaced).")
     ] = None,
     json: Numbers = None,
     force: Force = False,

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from pointpred_observers.camera import CameraColumns, Gravity
-from pointpred_observers.cli.camera_files import read_samples, write_table
+from pointpred_observers.cli import write_table
+from pointpred_observers.cli.camera_files import read_samples
 
 FOCAL = ("--focal-px", "800")
 
