@@ -63,13 +63,8 @@ def simulate(
     check_target(targets[1])
     for target in targets:
         check_free(target, force)
-    samples, truth = make(
-        SCENARIOS[scenario],
-        focal_px=focal_px,
-        duration_s=seconds,
-        noise=Noise(noise_px=noise),
-        seed=seed,
-    )
+    blur = Noise(noise_px=noise)
+    samples, truth = make(SCENARIOS[scenario], focal_px=focal_px, duration_s=seconds, noise=blur, seed=seed)
     write_table(out, CameraColumns.names, samples.table)
     write_table(targets[1], TRUTH, truth_table(truth))
     for target in targets:

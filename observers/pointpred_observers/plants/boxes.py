@@ -140,8 +140,7 @@ class Box:
 
     def mixed(self, matrices: FloatArray, point: Point) -> FloatArray:
         """The matrix at a point of the box from those at its vertices, (vertices, rows, columns)."""
-        mixed: FloatArray = np.tensordot(self.weights(point), matrices, 1)
-        return mixed
+        return np.asarray(np.tensordot(self.weights(point), matrices, 1))
 
     def _value(self, point: Point, name: str) -> float:
         if name not in point:

@@ -159,14 +159,9 @@ class SymbolicPlantDocument(Document, tag="symbolic plant", frozen=True):
 
     def made(self, functions: Functions) -> SymbolicSystem:
         """The plant."""
-        return SymbolicSystem(
-            symbols_of(self.states),
-            _read("field", self.field),
-            symbols_of((self.input,))[0],
-            zero=symbols_of(self.zero),
-            zero_field=_read("zero_field", self.zero_field),
-            outputs=_read("outputs", self.outputs),
-        )
+        x, u, z = symbols_of(self.states), symbols_of((self.input,))[0], symbols_of(self.zero)
+        field, eta, h = (_read(name, getattr(self, name)) for name in ("field", "zero_field", "outputs"))
+        return SymbolicSystem(x, field, u, zero=z, zero_field=eta, outputs=h)
 
 
 class SymbolicGeneratorDocument(Document, tag="symbolic generator", frozen=True):
@@ -208,14 +203,10 @@ class SteadyStateDocument(Document, tag="steady state", frozen=True):
 
     def made(self, functions: Functions) -> SymbolicSteadyState:
         """The steady state; raises CertificateError naming an equation that does not hold."""
-        steady = check_steady_state(
-            self.plant.made(functions),
-            self.generator.made(functions),
-            _read("maps", self.maps),
-            parsed(self.input, "input"),
-            zero=_read("zero_maps", self.zero_maps),
-            degree=self.degree,
-        )
+        plant, generator = self.plant.made(functions), self.generator.made(functions)
+        maps, rho = _read("maps", self.maps), _read("zero_maps", self.zero_maps)
+        u = parsed(self.input, "input")
+        steady = check_steady_state(plant, generator, maps, u, zero=rho, degree=self.degree)
         free = [Free(one.degree, {x: parsed(e, "free") for x, e in one.terms.items()}) for one in self.free]
         return msgspec.structs.replace(steady, degree=self.degree, free=tuple(free))
 

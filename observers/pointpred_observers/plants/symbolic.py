@@ -293,14 +293,9 @@ class SymbolicSystem:
         numbers = {symbol: exact(value) for symbol, value in values.items()}
         if foreign := numbers.keys() - self.parameters():
             raise ParameterError(f"{sorted(map(str, foreign))} are no parameters of the system")
-        return type(self)(
-            self.states,
-            [e.subs(numbers) for e in self.field],
-            self.input,
-            zero=self.zero,
-            zero_field=[e.subs(numbers) for e in self.zero_field],
-            outputs=[e.subs(numbers) for e in self.outputs],
-        )
+        parts = (self.field, self.zero_field, self.outputs)
+        field, eta, h = ([e.subs(numbers) for e in part] for part in parts)
+        return type(self)(self.states, field, self.input, zero=self.zero, zero_field=eta, outputs=h)
 
     def functions(self, given: Mapping[Any, Any]) -> dict[Any, Any]:
         """Maps as functions of the generator; raises ParameterError for one of the system's symbols."""

@@ -131,9 +131,7 @@ class ParameterVaryingSystem:
     def gamma(self, point: Point) -> FloatArray:
         """Gamma = T A + T' (in discrete time T A), the error dynamics without a gain."""
         ta = self.ta(point)
-        if not self.rates:
-            return ta
-        return cleared((ta,), (self.e_rate(point), self.c))
+        return cleared((ta,), (self.e_rate(point), self.c)) if self.rates else ta
 
     def at_vertices(self, box: Box) -> tuple[FloatArray, FloatArray]:
         """Gamma and T at each vertex; raises ParameterError where one is not affine in each variable."""
@@ -167,10 +165,8 @@ class ParameterVaryingSystem:
 
     def _gamma_terms(self, point: Point) -> FloatArray:
         """The same of Gamma."""
-        if self._decoupled is not None:
-            terms = np.abs(self.ta(point))
-        else:
-            terms = self._t_terms(point) @ np.abs(self.a(point))
+        given = self._decoupled is not None
+        terms = np.abs(self.ta(point)) if given else self._t_terms(point) @ np.abs(self.a(point))
         if not self.rates:
             return terms
         (f, x, c), w, moving = self._inverse_terms(point), self._weights, self._f_rate(point, sizes=True)
