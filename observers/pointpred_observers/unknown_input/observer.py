@@ -281,7 +281,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
             warn(
                 f"schedule leaves the box of the design at {len(left)} samples, first {left[0]}: what is "
                 "proved of the error does not cover them",
-                stacklevel=4,
+                stacklevel=3,
             )
         none = np.zeros((len(times), 0))
         return Simulation(
