@@ -3,12 +3,12 @@
 
 static const double records_LATEST_S = 100000000000.0;
 static const double camera_depth_LARGEST_RATE = 1000.0;
-static const double camera_gravity_AT_REST = 0.1;
 static const double camera_kinematics_SMALL = 0.0001;
 static const double camera_point_filter_NEAREST_M = 0.0001;
 static const double camera_point_filter_RUNNING = 2.0;
 static const double camera_point_filter_STARTING = 1.0;
 static const double camera_point_filter_WAITING = 0.0;
+static const double camera_samples_AT_REST = 0.1;
 static const double camera_samples_LARGEST_A = 10000.0;
 static const double camera_samples_LARGEST_PX = 1000000.0;
 static const double camera_samples_LARGEST_W = 1000.0;
@@ -193,66 +193,6 @@ T3d camera_kinematics_back(T3d turn, T3d vector) {
   wy = rz * ux - rx * uz;
   wz = rx * uy - ry * ux;
   return (T3d){x - s * ux + c * wx, y - s * uy + c * wy, z - s * uz + c * wz};
-}
-
-/* A sample, then up there (NaN: not given): the sample without gravity into ``out``, or nothing. */
-void camera_gravity_step(camera_gravity_Memory * memory, Vector row, Vector out) {
-  camera_gravity_Settings * settings;
-  camera_gravity_State * s;
-  double t, wx, wy, wz, ax, ay, az, ux, uy, uz, h, size;
-  T3d turn;
-  settings = &memory->settings;
-  s = &memory->state;
-  t = row.p[0];
-  wx = row.p[3];
-  wy = row.p[4];
-  wz = row.p[5];
-  ax = row.p[6];
-  ay = row.p[7];
-  az = row.p[8];
-  if (!camera_samples_usable((camera_samples_CameraSample){t, row.p[1], row.p[2], wx, wy, wz, ax, ay, az}, s->started, s->t, settings->gap_s)) {
-    return;
-  }
-  ux = row.p[9];
-  uy = row.p[10];
-  uz = row.p[11];
-  if (ux != ux) {
-    if (s->started == 1.0) {
-      h = 0.5 * (t - s->t);
-      turn = (T3d){h * (s->wx + wx), h * (s->wy + wy), h * (s->wz + wz)};
-      T3d values_1 = camera_kinematics_back(turn, (T3d){s->up[0], s->up[1], s->up[2]});
-      ux = values_1.f0;
-      uy = values_1.f1;
-      uz = values_1.f2;
-    } else {
-      ux = settings->up[0];
-      uy = settings->up[1];
-      uz = settings->up[2];
-    }
-  }
-  if (ux == 0.0 && uy == 0.0 && uz == 0.0) {
-    ux = ax;
-    uy = ay;
-    uz = az;
-    if (!(fabs(sqrt(ax * ax + ay * ay + az * az) - settings->g) <= camera_gravity_AT_REST * settings->g)) {
-      return;
-    }
-  }
-  size = sqrt(ux * ux + uy * uy + uz * uz);
-  s->up[0] = ux / size;
-  s->up[1] = uy / size;
-  s->up[2] = uz / size;
-  s->started = 1.0;
-  s->t = t;
-  s->wx = wx;
-  s->wy = wy;
-  s->wz = wz;
-  for (int64_t i = 0; i < 6; i++) {
-    out.p[i] = row.p[i];
-  }
-  for (int64_t i = 0; i < 3; i++) {
-    out.p[6 + i] = row.p[6 + i] - settings->g * s->up[i];
-  }
 }
 
 /* (p, v) after ``h`` s without acceleration: p - h v and v, in the rotated frame. */
@@ -603,6 +543,66 @@ void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, c
   }
 }
 
+/* A sample, then up there (NaN: not given): the sample without gravity into ``out``, or nothing. */
+void camera_samples_step(camera_samples_Memory * memory, Vector row, Vector out) {
+  camera_samples_Settings * settings;
+  camera_samples_State * s;
+  double t, wx, wy, wz, ax, ay, az, ux, uy, uz, h, size;
+  T3d turn;
+  settings = &memory->settings;
+  s = &memory->state;
+  t = row.p[0];
+  wx = row.p[3];
+  wy = row.p[4];
+  wz = row.p[5];
+  ax = row.p[6];
+  ay = row.p[7];
+  az = row.p[8];
+  if (!camera_samples_usable((camera_samples_CameraSample){t, row.p[1], row.p[2], wx, wy, wz, ax, ay, az}, s->started, s->t, settings->gap_s)) {
+    return;
+  }
+  ux = row.p[9];
+  uy = row.p[10];
+  uz = row.p[11];
+  if (ux != ux) {
+    if (s->started == 1.0) {
+      h = 0.5 * (t - s->t);
+      turn = (T3d){h * (s->wx + wx), h * (s->wy + wy), h * (s->wz + wz)};
+      T3d values_1 = camera_kinematics_back(turn, (T3d){s->up[0], s->up[1], s->up[2]});
+      ux = values_1.f0;
+      uy = values_1.f1;
+      uz = values_1.f2;
+    } else {
+      ux = settings->up[0];
+      uy = settings->up[1];
+      uz = settings->up[2];
+    }
+  }
+  if (ux == 0.0 && uy == 0.0 && uz == 0.0) {
+    ux = ax;
+    uy = ay;
+    uz = az;
+    if (!(fabs(sqrt(ax * ax + ay * ay + az * az) - settings->g) <= camera_samples_AT_REST * settings->g)) {
+      return;
+    }
+  }
+  size = sqrt(ux * ux + uy * uy + uz * uz);
+  s->up[0] = ux / size;
+  s->up[1] = uy / size;
+  s->up[2] = uz / size;
+  s->started = 1.0;
+  s->t = t;
+  s->wx = wx;
+  s->wy = wy;
+  s->wz = wz;
+  for (int64_t i = 0; i < 6; i++) {
+    out.p[i] = row.p[i];
+  }
+  for (int64_t i = 0; i < 3; i++) {
+    out.p[6 + i] = row.p[6 + i] - settings->g * s->up[i];
+  }
+}
+
 /* The known part of the image's motion: (x, y) eta + B w; the rest of (x, y)' is -d. */
 T2d camera_velocity_flow(double x, double y, double eta, double wx, double wy, double wz) {
   double flow_x, flow_y;
@@ -690,21 +690,21 @@ void camera_velocity_step(camera_velocity_Memory * memory, Vector row, Vector ou
   }
 }
 
+void loop__camera_samples_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
+  for (int64_t i = 0; i < rows.n; i++) {
+    if (begin.p[i]) {
+      fill((Vector){memory.p + first, memory.n - first}, 0.0);
+    }
+    camera_samples_step((camera_samples_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
+  }
+}
+
 void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
   for (int64_t i = 0; i < rows.n; i++) {
     if (begin.p[i]) {
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
     camera_depth_step((camera_depth_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
-  }
-}
-
-void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
-  for (int64_t i = 0; i < rows.n; i++) {
-    if (begin.p[i]) {
-      fill((Vector){memory.p + first, memory.n - first}, 0.0);
-    }
-    camera_gravity_step((camera_gravity_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
   }
 }
 

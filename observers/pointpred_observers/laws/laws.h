@@ -128,23 +128,6 @@ typedef struct {
   camera_depth_State state;
 } camera_depth_Memory;
 typedef struct {
-  double g;
-  double up[3];
-  double gap_s;
-} camera_gravity_Settings;
-typedef struct {
-  double started;
-  double t;
-  double wx;
-  double wy;
-  double wz;
-  double up[3];
-} camera_gravity_State;
-typedef struct {
-  camera_gravity_Settings settings;
-  camera_gravity_State state;
-} camera_gravity_Memory;
-typedef struct {
   double m[6][6];
 } camera_kinematics_Matrix;
 typedef struct {
@@ -195,6 +178,23 @@ typedef struct {
   double running;
 } camera_point_filter_Answer;
 typedef struct {
+  double g;
+  double up[3];
+  double gap_s;
+} camera_samples_Settings;
+typedef struct {
+  double started;
+  double t;
+  double wx;
+  double wy;
+  double wz;
+  double up[3];
+} camera_samples_State;
+typedef struct {
+  camera_samples_Settings settings;
+  camera_samples_State state;
+} camera_samples_Memory;
+typedef struct {
   double started;
   double t;
   double imaged;
@@ -241,7 +241,6 @@ void camera_depth_carry(camera_depth_State * state, camera_depth_Measured m, dou
 bool camera_depth_inside(camera_depth_Memory * memory, double zero, double eta);
 T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx, double dwy);
 void camera_depth_step(camera_depth_Memory * memory, Vector row, Vector out);
-void camera_gravity_step(camera_gravity_Memory * memory, Vector row, Vector out);
 void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel);
 T3d camera_kinematics_back(T3d turn, T3d vector);
 void camera_kinematics_begin_start(camera_kinematics_Start * s);
@@ -259,6 +258,7 @@ void camera_point_filter_correct(camera_point_filter_State * s, double noise, do
 void camera_point_filter_look(camera_point_filter_Memory * memory, double x, double y);
 void camera_point_filter_predict(camera_point_filter_Memory * memory, double dt, T3d w, T3d a);
 void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, camera_point_filter_Answer * out);
+void camera_samples_step(camera_samples_Memory * memory, Vector row, Vector out);
 bool camera_samples_usable(camera_samples_CameraSample sample, double started, double last_t, double gap_s);
 T2d camera_velocity_flow(double x, double y, double eta, double wx, double wy, double wz);
 void camera_velocity_predict(camera_velocity_State * s, double density, double eta, double wx, double wy, double wz, double h);
@@ -279,8 +279,8 @@ void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices 
 interconnected_persidskii_law_Space interconnected_persidskii_law_space_of(interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, int64_t size);
 int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out);
 void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
+void loop__camera_samples_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 bool plants_boxes_weigh(Table axes, Vector p, Vector weights);
 static inline double plants_nonlinearity_value(double code, double s);

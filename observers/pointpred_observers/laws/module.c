@@ -212,27 +212,6 @@ static PyObject *py_camera_depth_step(PyObject *self, PyObject *const *args, Py_
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.gravity:step";
-  Held held;
-  const Py_buffer *view;
-  camera_gravity_Memory * a0;
-  Vector a1;
-  Vector a2;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "memory", true, 13, &view)
-        && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  camera_gravity_step(a0, a1, a2);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
 static PyObject *py_camera_kinematics_add_noise(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.kinematics:add_noise";
   Held held;
@@ -633,6 +612,27 @@ static PyObject *py_camera_point_filter_step(PyObject *self, PyObject *const *ar
         && (a2 = view->buf, true)))
     return let_go(&held);
   camera_point_filter_step(a0, a1, a2);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_camera_samples_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.samples:step";
+  Held held;
+  const Py_buffer *view;
+  camera_samples_Memory * a0;
+  Vector a1;
+  Vector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", true, 13, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  camera_samples_step(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1343,32 +1343,6 @@ static PyObject *py_loop__camera_depth_step(PyObject *self, PyObject *const *arg
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_loop__camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  FlagVector a2;
-  Table a3;
-  Table a4;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
-        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
-        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS loop__camera_gravity_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
 static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)";
   Held held;
@@ -1392,6 +1366,32 @@ static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *con
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
   Py_BEGIN_ALLOW_THREADS loop__camera_point_filter_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_loop__camera_samples_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.samples:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__camera_samples_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1769,7 +1769,6 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.camera.depth:inside", (PyCFunction)(void (*)(void))py_camera_depth_inside, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:rate", (PyCFunction)(void (*)(void))py_camera_depth_rate, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:step", (PyCFunction)(void (*)(void))py_camera_depth_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.gravity:step", (PyCFunction)(void (*)(void))py_camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:add_noise", (PyCFunction)(void (*)(void))py_camera_kinematics_add_noise, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:back", (PyCFunction)(void (*)(void))py_camera_kinematics_back, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:begin_start", (PyCFunction)(void (*)(void))py_camera_kinematics_begin_start, METH_FASTCALL, NULL},
@@ -1787,6 +1786,7 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.camera.point_filter:look", (PyCFunction)(void (*)(void))py_camera_point_filter_look, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:predict", (PyCFunction)(void (*)(void))py_camera_point_filter_predict, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:step", (PyCFunction)(void (*)(void))py_camera_point_filter_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.samples:step", (PyCFunction)(void (*)(void))py_camera_samples_step, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.samples:usable", (PyCFunction)(void (*)(void))py_camera_samples_usable, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.velocity:flow", (PyCFunction)(void (*)(void))py_camera_velocity_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.velocity:predict", (PyCFunction)(void (*)(void))py_camera_velocity_predict, METH_FASTCALL, NULL},
@@ -1805,8 +1805,8 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.interconnected.persidskii_law:slope", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_slope, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__camera_depth_step, METH_FASTCALL, NULL},
-  {"pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)", (PyCFunction)(void (*)(void))py_loop__camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)", (PyCFunction)(void (*)(void))py_loop__camera_point_filter_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_into (pointpred_observers.camera.samples:step)", (PyCFunction)(void (*)(void))py_loop__camera_samples_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.velocity:step)", (PyCFunction)(void (*)(void))py_loop__camera_velocity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.plants.boxes:weigh", (PyCFunction)(void (*)(void))py_plants_boxes_weigh, METH_FASTCALL, NULL},
   {"pointpred_observers.plants.nonlinearity:value", (PyCFunction)(void (*)(void))py_plants_nonlinearity_value, METH_FASTCALL, NULL},
