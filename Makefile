@@ -167,5 +167,5 @@ $(SITE): evidence/site/requirements.txt constraints.txt | $(RUNS)
 $(READY): $(RUNS) observers/pyproject.toml $(OBSERVERS_LAWS)
 	@echo 'installing what the tests need into .venv, about a minute' >&2
 	$(BIN)/python $(INSTALL) '.[dev]' \
-		--editable 'observers[camera]'
+		--editable observers
 	touch $(READY)

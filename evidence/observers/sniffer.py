@@ -11,7 +11,7 @@ from evidence.arguments import parse
 from evidence.data import Table, keep
 from evidence.sets import folder_with
 from pointpred.records import FloatArray
-from pointpred_observers.reproduction.reversed_connection import PREDICTORS, SNIFFER, estimates, sniffer
+from pointpred_observers.reproduction.thesis import PREDICTORS, SNIFFER, estimates, sniffer
 
 
 def recursion(rows: FloatArray, outputs: FloatArray, total: FloatArray, x: FloatArray) -> FloatArray:

@@ -20,7 +20,7 @@ from evidence.thinning import save
 from pointpred.cli.reproduce import AGREES, shown
 from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.figure import CAMERA, THESIS, Entry, Reproduction
-from pointpred_observers.reproduction.reversed_connection import SNIFFER
+from pointpred_observers.reproduction.thesis import SNIFFER
 
 DRAWN = FIGURES / "reproduced"
 HEADER = ("number", "value", "printed", "ours", "unit", "")

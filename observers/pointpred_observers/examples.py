@@ -9,8 +9,7 @@ import numpy as np
 from pointpred.records import FloatArray
 from pointpred_observers.plants.generator import Generator
 from pointpred_observers.plants.persidskii import Persidskii
-from pointpred_observers.plants.polynomials import symbolic
-from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem
+from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem, symbolic
 
 ROBOT_INPUT = (0.0, 21.6, 0.0, 0.0)
 """B of the robotic arm: the input drives the motor only."""

@@ -104,11 +104,8 @@ def load(file: Path | str, *, functions: Functions | None = None) -> Any:
     """
     path = path_of(file)
     if not path.is_file():
-        raise ParameterError(
-            f"cannot read {path}: {'it is a folder' if path.is_dir() else 'there is no such file'}",
-            field="file",
-            value=file,
-        )
+        why = "it is a folder" if path.is_dir() else "there is no such file"
+        raise ParameterError(f"cannot read {path}: {why}", field="file", value=file)
     if path.stat().st_size > LARGEST:
         raise ParameterError(f"{path}: a plant or a design has at most {LARGEST} bytes")
     return decoded(path.read_bytes(), functions=functions, name=str(path))
@@ -121,9 +118,8 @@ def decoded(text: bytes | str, *, functions: Functions | None = None, name: str 
         with np.errstate(all="ignore"):  # what overflows is not finite, and refused
             return document.made(given)
     except PointpredError as failure:
-        raise type(failure)(
-            f"{name}: {failure}", code=failure.code, field=failure.field, value=failure.value
-        ) from failure
+        words = f"{name}: {failure}"
+        raise type(failure)(words, code=failure.code, field=failure.field, value=failure.value) from failure
     except (np.linalg.LinAlgError, OverflowError) as failure:
         raise ParameterError(f"{name}: its numbers are too large or too small to compute with") from failure
 
@@ -141,24 +137,18 @@ def audit(observer: Observer) -> dict[str, float]:
     True
     """
     if not isinstance(observer, Observer) or not observer.margins:
-        raise ParameterError(
-            f"an audit needs a design with a certificate, received {type(observer).__name__}",
-            field="observer",
-        )
+        words = f"an audit needs a design with a certificate, received {type(observer).__name__}"
+        raise ParameterError(words, field="observer")
     try:
         with np.errstate(all="ignore"):  # what overflows is not finite, and refused
             again = observer.audited()
     except (np.linalg.LinAlgError, OverflowError) as failure:
         raise CertificateError("the design's numbers are too large or too small to compute with") from failure
     for bounds in zip(observer.bounds.values(), again.bounds.values(), strict=True):
-        claimed, proved = ([one.overshoot, 1.0 / one.decay, one.rest, *one.gains] for one in bounds)
-        if (
-            len(claimed) != len(proved)
-            or not (np.array(claimed) >= np.array(proved) * (1.0 - TOLERANCE)).all()
-        ):
-            raise CertificateError(
-                f"the design carries the bound {bounds[0]}, its matrices prove {bounds[1]}", field="bound"
-            )
+        claimed, proved = (np.array([one.overshoot, 1.0 / one.decay, one.rest, *one.gains]) for one in bounds)
+        if claimed.shape != proved.shape or not (claimed >= proved * (1.0 - TOLERANCE)).all():
+            words = f"the design carries the bound {bounds[0]}, its matrices prove {bounds[1]}"
+            raise CertificateError(words, field="bound")
     return again.margins
 
 
@@ -169,20 +159,14 @@ def _document(thing: Any) -> Document:
         if isinstance(thing, kind):
             return document.of(thing)
     if isinstance(thing, ParameterVaryingSystem):
-        raise ParameterError(
-            "a parameter-varying system of functions is saved by its matrices at the corners of a box: "
-            "CornerSystem.of(system, box)",
-            field="thing",
-        )
+        words = "a parameter-varying system of functions is saved as CornerSystem.of(system, box)"
+        raise ParameterError(words, field="thing")
     try:
         return PlantDocument.of(as_plant(thing))
     except ParameterError as unknown:
         names = ", ".join(one.__name__ for one in PLANTS)
-        raise ParameterError(
-            f"can save observers, {names} and linear systems, received {type(thing).__name__}",
-            field="thing",
-            value=thing,
-        ) from unknown
+        words = f"can save observers, {names} and linear systems, received {type(thing).__name__}"
+        raise ParameterError(words, field="thing", value=thing) from unknown
 
 
 def _read(text: bytes | str, name: str) -> Document:
@@ -191,46 +175,28 @@ def _read(text: bytes | str, name: str) -> Document:
         whole = msgspec.json.decode(text)
     except (msgspec.DecodeError, UnicodeError, RecursionError) as unusable:
         raise ParameterError(f"{name}: is no JSON: {unusable}") from unusable
-    if not isinstance(whole, dict) or whole.get("format") != FORMAT:
-        found = whole.get("format") if isinstance(whole, dict) else type(whole).__name__
-        raise ParameterError(
-            f'{name}: "format" must be "{FORMAT}", received {found!r:.60}; '
-            "pointpred observers example shows a file",
-            field="format",
-        )
-    version = whole.get("version")
-    if not isinstance(version, int) or isinstance(version, bool) or version < 1:
-        raise ParameterError(
-            f'{name}: "version" must be {VERSION}, received {version!r:.40}', field="version", value=version
-        )
-    if version > VERSION:
-        raise ParameterError(
-            f"{name}: is of version {version}, this pointpred reads version {VERSION}: install a newer "
-            "pointpred, or save it again with this one",
-            field="version",
-            value=version,
-        )
-    kind = whole.get("kind")
-    if not isinstance(kind, str) or kind not in NAMES:
-        raise ParameterError(
-            f'{name}: "kind" must be one of {", ".join(NAMES)}, received {kind!r:.60}',
-            field="kind",
-            value=kind,
-        )
+    if not isinstance(whole, dict):
+        whole = {"format": type(whole).__name__}
     content = {key: one for key, one in whole.items() if key not in ("format", "version")}
+    form, version, kind = (whole.get(key) for key in ("format", "version", "kind"))
+
+    def require(fits: bool, key: str, must: str, value: Any) -> None:
+        if not fits:
+            words = f'{name}: "{key}" must be {must}, received {value!r:.60}'
+            raise ParameterError(words, field=key, value=value)
+
+    require(form == FORMAT, "format", f'"{FORMAT}", see pointpred observers example', form)
+    require(type(version) is int and version >= 1, "version", str(VERSION), version)
+    if whole["version"] > VERSION:
+        words = f"{name}: is of version {version}, this pointpred reads version {VERSION}: install a newer"
+        raise ParameterError(words, field="version", value=version)
+    require(isinstance(kind, str) and kind in NAMES, "kind", f"one of {', '.join(NAMES)}", kind)
+    document = NAMES[whole["kind"]]
     try:
-        return msgspec.convert(content, NAMES[kind])
+        return msgspec.convert(content, document)
     except msgspec.ValidationError as wrong:
-        raise ParameterError(f"{name}: {_sentence(wrong, NAMES[kind])}", field=_place(wrong)) from wrong
-
-
-def _place(wrong: msgspec.ValidationError) -> str:
-    return str(wrong).partition(" - at `")[2].rstrip("`").removeprefix("$").lstrip(".")
-
-
-def _sentence(wrong: msgspec.ValidationError, document: type[Document]) -> str:
-    """What is wrong and where; the fields that are known where one is not."""
-    words, place = str(wrong).partition(" - at `")[0].replace("`", ""), _place(wrong)
-    if "unknown field" in words and not place:
-        words += f"; the fields are {', '.join(one.name for one in msgspec.structs.fields(document))}"
-    return f"{place}: {words}" if place else words
+        words, _, place = str(wrong).replace("`", "").partition(" - at ")
+        place = place.removeprefix("$").lstrip(".")
+        if "unknown field" in words and not place:
+            words += f"; the fields are {', '.join(one.name for one in msgspec.structs.fields(document))}"
+        raise ParameterError(": ".join(filter(None, (name, place, words))), field=place) from wrong

@@ -12,7 +12,7 @@ from pointpred_observers.interconnected.design import DrivenObserver, FullOrderO
 from pointpred_observers.interconnected.persidskii_stage import closed
 from pointpred_observers.interconnected.regulator import Regulator
 from pointpred_observers.interconnected.steady_state import steady_state_map
-from pointpred_observers.numerics.matrices import instance
+from pointpred_observers.numerics.matrices import instance, wrong
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.generator import Generator
 from pointpred_observers.plants.linear_systems import as_plant
@@ -27,15 +27,12 @@ from pointpred_observers.triangular.interlaced_observer import InterlacedObserve
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 KINDS: dict[str, tuple[type[Observer], Any]] = {
-    one.kind: (one, plant)
-    for one, plant in (
-        (FullOrderObserver, Persidskii),
-        (ReducedOrderObserver, Persidskii),
-        (DrivenObserver, Persidskii),
-        (Regulator, Persidskii),
-        (InterlacedObserver, SymbolicSystem | SymbolicSteadyState),
-        (UnknownInputObserver, ParameterVaryingSystem),
-    )
+    "full": (FullOrderObserver, Persidskii),
+    "reduced": (ReducedOrderObserver, Persidskii),
+    "driven": (DrivenObserver, Persidskii),
+    "regulator": (Regulator, Persidskii),
+    "interlaced": (InterlacedObserver, SymbolicSystem | SymbolicSteadyState),
+    "unknown-input": (UnknownInputObserver, ParameterVaryingSystem),
 }
 """The class of each kind of observer, and its plant."""
 
@@ -82,13 +79,11 @@ def design(plant: Any, kind: str | None = None, *, decay: float = 1.0, **options
     if kind is None:
         kind = _fitting(plant, options)
     if not isinstance(kind, str) or kind not in KINDS:
-        raise ParameterError(f"kind must be one of {', '.join(KINDS)}, received {kind!r}", field="kind")
+        raise wrong("kind", f"must be one of {', '.join(KINDS)}", kind)
     observer, wanted = KINDS[kind]
     if not isinstance(plant, wanted):
-        raise ParameterError(
-            f"kind {kind!r} needs a {getattr(wanted, '__name__', wanted)}, received a {type(plant).__name__}",
-            field="kind",
-        )
+        needs = f"needs a {getattr(wanted, '__name__', wanted)}, received a {type(plant).__name__}"
+        raise ParameterError(f"kind {kind!r} {needs}", field="kind")
     known = _known(observer.design, options, kind, ("plant", "decay"))
     for name, one in known.items():
         if one.default is one.empty and name not in options:
@@ -101,9 +96,8 @@ def _known(call: Any, given: dict[str, Any], kind: str, hidden: tuple[str, ...] 
     known = {name: one for name, one in signature(call).parameters.items() if name not in hidden}
     for name in given:
         if name not in known:
-            raise ParameterError(
-                f"{name} is no option of kind {kind!r}, which has {', '.join(known)}", field=name
-            )
+            words = f"{name} is no option of kind {kind!r}, which has {', '.join(known)}"
+            raise ParameterError(words, field=name)
     return known
 
 
@@ -161,7 +155,8 @@ def simulate(
     x); ``unknown_input`` d and ``schedule`` the scheduling variables of a parameter-varying plant, a dict, or
     a function of t and x. ``noise`` standard deviation of the outputs, one or p; ``seed`` of the noise.
 
-    Raises ParameterError naming the argument, also where plant and observer do not fit; DivergenceError with
+    Warns where a schedule leaves the box of the design. Raises ParameterError naming the argument, also where
+    plant and observer do not fit; DivergenceError with
     the time at which the plant leaves every bound; CertificateError for a reduced-order design whose
     observer does not keep the equalities of its certificate.
 
@@ -174,9 +169,7 @@ def simulate(
     ((400, 2), True)
     """
     if not isinstance(seed, int) or isinstance(seed, bool) or seed < 0:
-        raise ParameterError(
-            f"seed must be a whole number not below 0, received {seed!r}", field="seed", value=seed
-        )
+        raise wrong("seed", "must be a whole number not below 0", seed)
     setting = Setting(times, start, estimate, input, disturbance, unknown_input, schedule, noise, seed)
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows leaves every bound, and is refused
         if isinstance(observer, Observer):
@@ -187,9 +180,6 @@ def simulate(
         if isinstance(plant, Regression):
             return plant.simulated(observer, setting)
     advice = ": the state of a field over time is trajectory(field, start, times)" if callable(plant) else ""
-    raise ParameterError(
-        "can simulate an Observer or a Generator with its plant, and a regressor with a Regression, received "
-        f"{type(observer).__name__}{advice}",
-        field="observer",
-        value=observer,
-    )
+    pairs = "an Observer or a Generator with its plant, and a regressor with a Regression"
+    words = f"can simulate {pairs}, received {type(observer).__name__}{advice}"
+    raise ParameterError(words, field="observer", value=observer)

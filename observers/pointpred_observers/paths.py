@@ -24,9 +24,6 @@ def writable(file: object) -> Path:
     """The path of a file to write; raises ParameterError for a folder, and where its folder is missing."""
     path = path_of(file)
     if path.is_dir() or not path.parent.is_dir():
-        raise ParameterError(
-            f"cannot write {path}: its folder must exist and it must not be a folder itself",
-            field="file",
-            value=file,
-        )
+        words = f"cannot write {path}: its folder must exist and it must not be a folder itself"
+        raise ParameterError(words, field="file", value=file)
     return path

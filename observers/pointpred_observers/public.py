@@ -6,8 +6,7 @@ from pointpred_observers.interconnected.steady_state import steady_state_map
 from pointpred_observers.kinds import design, simulate, stage
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.boxes import Box
-from pointpred_observers.plants.discretisation import c2d
-from pointpred_observers.plants.generator import Generator
+from pointpred_observers.plants.generator import Generator, c2d
 from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSystem
 from pointpred_observers.plants.varying import (
@@ -19,7 +18,7 @@ from pointpred_observers.proofs.error_system import ErrorSystem, certify_decay, 
 from pointpred_observers.reduced_order.reversed_connection import invariant_observer
 from pointpred_observers.regressors.excitation import persistent_excitation
 from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor, Regression
-from pointpred_observers.simulations.trajectories import trajectory
+from pointpred_observers.simulations.signals import trajectory
 from pointpred_observers.triangular.forms import interlaced
 from pointpred_observers.unknown_input.stage import UnknownInputSample
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import pointpred_observers as o
-from pointpred_observers.cli.observer_examples import EXAMPLES
+from pointpred_observers.cli.observer_results import EXAMPLES
 from pointpred_observers.files import decoded, encoded
 from tests.conftest import Left
 

@@ -14,7 +14,7 @@ from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers import Generator, Persidskii, design, stage, trajectory
 from pointpred_observers.interconnected.design import DrivenObserver, certified_design
 from pointpred_observers.proofs.bounds import decay_of, proved_bound
-from pointpred_observers.simulations.trajectories import SeededSignal
+from pointpred_observers.simulations.signals import SeededSignal
 from pointpred_observers.thesis import theorem_3_2_1
 
 

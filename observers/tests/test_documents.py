@@ -17,7 +17,7 @@ import pointpred_observers as o
 from observers.tests import kept_designs as kept
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError
 from pointpred_observers.files import VERSION, decoded, encoded
-from pointpred_observers.plants.expressions import parsed, text_of
+from pointpred_observers.plants.entries import parsed, text_of
 from pointpred_observers.plants.persidskii import NAMES
 
 pytest.importorskip("cvxpy")

@@ -11,7 +11,7 @@ from pointpred.errors import CertificateError, DivergenceError
 from pointpred_observers import steady_state_map, trajectory
 from pointpred_observers.examples import Bioreactor, academic
 from pointpred_observers.interconnected.design import DrivenObserver
-from pointpred_observers.simulations import trajectories
+from pointpred_observers.simulations import signals
 from pointpred_observers.thesis import residuals, theorem_3_2_1
 
 
@@ -135,7 +135,7 @@ def test_example_2_the_printed_gain_loses_without_projection_and_is_slower_with_
     none, free = reactor_error((0.0, 0.0), projected=True)
     printed, _ = reactor_error(Bioreactor.PRINTED_GAIN, projected=True)
     assert none < 1e-2 < printed
-    monkeypatch.setattr(trajectories, "STANDING_MOST", 1000)
+    monkeypatch.setattr(signals, "STANDING_MOST", 1000)
     with pytest.raises(DivergenceError, match=r"near t = 0\.00138"):  # the pole of f1
         reactor_error(Bioreactor.PRINTED_GAIN, projected=False)
     pi = Bioreactor().printed_map

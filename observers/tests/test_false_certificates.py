@@ -17,7 +17,7 @@ from evidence.observers.plants import DOORS, KINDS, Problem
 from observers.tests import kept_designs as kept
 from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers import Generator, Persidskii, audit, thesis
-from pointpred_observers.cli.observer_tables import print_audit, print_design, summary
+from pointpred_observers.cli.observer_results import print_audit, print_design, summary
 from pointpred_observers.files import decoded, encoded
 from pointpred_observers.interconnected import design as interconnected
 from pointpred_observers.interconnected.design import FullOrderObserver
@@ -313,7 +313,7 @@ def test_the_gap_of_a_file_is_a_claim(capsys: pytest.CaptureFixture[str]) -> Non
     assert "not recomputed" not in capsys.readouterr().out
     for stored, shown in ((1e9, None), (11.0, None), (9.5, 9.5), (None, None)):
         claimed = decoded(json.dumps({**document, "gap": stored}))
-        assert summary(claimed).gap == shown
+        assert summary(claimed)["gap"] == shown
         print_audit(claimed, claimed.margins)
         assert ("not known" if shown is None else "950.00%") in capsys.readouterr().out
 

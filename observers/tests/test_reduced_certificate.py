@@ -14,7 +14,7 @@ from pointpred_observers.examples import two_masses
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
 from pointpred_observers.reduced_order.reversed_certificate import lipschitz
 from pointpred_observers.reduced_order.reversed_connection import Connection
-from pointpred_observers.simulations.trajectories import SeededSignal
+from pointpred_observers.simulations.signals import SeededSignal
 from pointpred_observers.thesis import certify_convergence, theorem_3_3_1, theorem_3_3_2
 
 PI = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]

@@ -102,7 +102,7 @@ def test_the_table_of_example_7_is_that_of_the_data() -> None:
         pytest.skip("POINTPRED_RECORDINGS is not set")
     from evidence.observers.sniffer import recursion, starts
     from evidence.rendering import shown
-    from pointpred_observers.reproduction.reversed_connection import sniffer
+    from pointpred_observers.reproduction.thesis import sniffer
 
     file = Path(os.environ["POINTPRED_RECORDINGS"], "sniffer.csv")
     if not file.is_file():

@@ -14,8 +14,7 @@ from scipy.linalg import solve_sylvester
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers import SymbolicGenerator, SymbolicSystem, interlaced
 from pointpred_observers.examples import oscillator
-from pointpred_observers.plants.polynomials import composed
-from pointpred_observers.plants.symbolic import SymbolicSteadyState
+from pointpred_observers.plants.symbolic import SymbolicSteadyState, composed
 from pointpred_observers.triangular.forms import prove_nonzero
 
 sp = pytest.importorskip("sympy")

@@ -123,7 +123,7 @@ DOORS: list[partial[Any]] = [
     partial(o.CornerSystem, box=BOX, A=[[-1.0]], F=[[1.0]], C=[[1.0]], rates={}, sizes=[1.0]),
     partial(o.audit, observer=REDUCED),
     partial(o.GradientRegressor, count=2, outputs=1, gain=1.0, time="discrete", start=[0.0, 0.0]),
-    partial(o.NonlinearRegressor, count=2, gain=1.0, start=[0.0, 0.0]),
+    partial(o.NonlinearRegressor, count=2, gain=1.0, f="atan", start=[0.0, 0.0]),
     partial(o.RecursiveLeastSquares, count=2, ridge=1.0, start=[0.0, 0.0]),
     partial(o.persistent_excitation, t=[0.0, 1.0], signal=np.eye(2), window=0.5),
     partial(thesis.regression_margin, t=np.arange(8.0), regressor=TURNING, weight=np.zeros(8), gain=1.0),

@@ -22,7 +22,7 @@ LEFT = shutil.ignore_patterns(".*", "__pycache__", "*.egg-info", "build", "dist"
 OPTIONAL = {
     *("fastapi", "prometheus_client", "pydantic_settings", "starlette", "uvicorn", "uvloop"),
     *("websockets", "hidraw", "Xlib", "pylsl"),
-    *("clarabel", "cvxpy", "sympy", "cv2"),
+    *("clarabel", "cvxpy", "sympy"),
 }
 """Libraries of the service, of the observers, of the extras ``client`` and ``live``: not of the library."""
 

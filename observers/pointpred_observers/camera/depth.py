@@ -24,6 +24,7 @@ from pointpred_observers.camera.samples import (
     CameraStage,
     usable,
 )
+from pointpred_observers.numerics.matrices import instance
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
 LARGEST_RATE = 1e3
@@ -222,9 +223,7 @@ class DepthObserver(CameraStage):
     focal_px: float = parameter("px", *FOCAL_PX, "focal length: image plane to px")
     start_chi: float = parameter("1/m", 1e-6, 1e6, "inverse depth at the first image")
     start_eta: float = parameter("1/s", -1e3, 1e3, "v_z/Z at the first image")
-    gap_s: float = parameter(
-        "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged", default=1.0
-    )
+    gap_s: float = parameter("s", 1e-3, 10.0, "longest silence that is bridged", default=1.0)
     observer: UnknownInputObserver | None = option("a design to speak of in the flags", default=None)
     states = State.length
     width = len(Depth._fields)
@@ -239,10 +238,8 @@ class DepthObserver(CameraStage):
 
     def settings(self) -> list[float]:
         """The beginning of the memory."""
-        box = [0.0] * 10
-        if self.observer is not None:
-            bounds = _camera_bounds(self.observer)
-            box = [bound for name in SCHEDULED[:5] for bound in bounds[name]]
+        bounds = {} if self.observer is None else _camera_bounds(self.observer)
+        box = [bound for name in SCHEDULED[:5] for bound in bounds.get(name, (0.0, 0.0))]
         start = [float(self.start_chi), float(self.start_eta)]
         return [float(self.focal_px), self.decay, *start, float(self.gap_s), *box]
 
@@ -257,16 +254,9 @@ class DepthObserver(CameraStage):
 
 def _camera_bounds(observer: UnknownInputObserver) -> dict[str, tuple[float, float]]:
     """The box of a design for the camera, by name; raises ParameterError for any other design."""
-    if not isinstance(observer, UnknownInputObserver):
-        raise ParameterError(
-            f"observer must be an UnknownInputObserver for camera_system, received {observer!r:.60}",
-            field="observer",
-        )
-    system, bounds = observer.system, observer.box.bounds
+    bounds, system = instance("observer", observer, UnknownInputObserver).box.bounds, observer.system
     if set(bounds) != set(SCHEDULED) or system.time != "continuous" or not np.array_equal(system.c, C):
-        raise ParameterError(
-            f"observer must be a design for camera_system in a box of {', '.join(SCHEDULED)}, as camera_box "
-            f"makes it, received one of {system.c.shape[1]} states in a box of {', '.join(bounds)}",
-            field="observer",
-        )
+        received = f"one of {system.c.shape[1]} states in a box of {', '.join(bounds)}"
+        words = f"observer must be a design for camera_system in a camera_box, received {received}"
+        raise ParameterError(words, field="observer")
     return bounds

@@ -111,18 +111,11 @@ def add_noise(p: Matrix, s: FloatArray, gyro: float, accel: float) -> None:
 
 @law
 def propagate(
-    s: FloatArray,
-    p: Matrix,
-    h: float,
-    turn: Vector,
-    acceleration: tuple[Vector, Vector],
-    gyro: float,
-    accel: float,
+    s: FloatArray, p: Matrix, h: float, turn: Vector, a: tuple[Vector, Vector], gyro: float, accel: float
 ) -> None:
-    """A state (p, v) and its covariance after ``h`` s, with the ``acceleration`` before and after."""
-    before, after = acceleration
+    """A state (p, v) and its covariance after ``h`` s, with the acceleration ``a`` before and after."""
     carry(s, h, turn)
-    push(s, h, turn, before, after)
+    push(s, h, turn, a[0], a[1])
     turn_covariance(p, h, turn)
     add_noise(p, s, gyro, accel)
 

@@ -31,14 +31,9 @@ def dynamics(point: Mapping[str, float]) -> FloatArray:
     """A of (15) at a point with x, y, w_x, w_y, eta and a_z."""
     x, y, eta = point["x"], point["y"], point["eta"]
     zero = y * point["w_x"] - x * point["w_y"] + eta
-    return np.array(
-        [
-            [0.0, 0.0, 0.0, x],
-            [0.0, 0.0, 0.0, y],
-            [0.0, 0.0, zero, 0.0],
-            [0.0, 0.0, point["a_z"], zero],
-        ]
-    )
+    a = np.zeros((4, 4))
+    a[2, 2], a[:, 3], a[3, 2] = zero, (x, y, 0.0, zero), point["a_z"]
+    return a
 
 
 def unknown_input(point: Mapping[str, float]) -> FloatArray:

@@ -14,13 +14,7 @@ from pointpred.parameter import parameter
 from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import loop_into
 from pointpred_observers.camera import kinematics
-from pointpred_observers.camera.samples import (
-    FOCAL_PX,
-    CameraColumns,
-    CameraSample,
-    CameraStage,
-    usable,
-)
+from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample, CameraStage, usable
 
 NEAREST_M = 1e-4
 """The filter restarts if the point comes closer than this or goes behind the camera."""
@@ -183,7 +177,7 @@ class PointEstimate(msgspec.Struct, frozen=True):
     def eta_spread(self) -> float:
         """Standard deviation of v_z/Z, 1/s, to first order."""
         slope = np.array([-self.eta * self.chi, self.chi])
-        return sqrt(float(slope @ self.covariance[np.ix_((2, 5), (2, 5))] @ slope))
+        return sqrt(float(slope @ self.covariance[2::3, 2::3] @ slope))
 
 
 class PointTrack(msgspec.Struct, frozen=True):
@@ -224,21 +218,11 @@ class PointFilter(CameraStage):
     """
 
     focal_px: float = parameter("px", *FOCAL_PX, "focal length: image plane to px")
-    noise_px: float = parameter(
-        "px", 1e-3, 1e3, "standard deviation of a coordinate in the image", default=1.0
-    )
-    gyro_noise: float = parameter(
-        "rad/s/sqrt(Hz)", 0.0, 1.0, "density of the gyroscope's white noise", default=0.0
-    )
-    accel_noise: float = parameter(
-        "m/s^2/sqrt(Hz)", 0.0, 10.0, "density of the accelerometer's white noise", default=0.0
-    )
-    share: float = parameter(
-        "", 1e-3, 0.5, "relative standard deviation of the depth at which it starts", default=0.1
-    )
-    gap_s: float = parameter(
-        "s", 1e-3, 10.0, "longest silence of the inertial sensor that is bridged", default=1.0
-    )
+    noise_px: float = parameter("px", 1e-3, 1e3, "standard deviation in the image", default=1.0)
+    gyro_noise: float = parameter("rad/s/sqrt(Hz)", 0.0, 1.0, "white noise of the gyroscope", default=0.0)
+    accel_noise: float = parameter("m/s^2/sqrt(Hz)", 0.0, 10.0, "that of the accelerometer", default=0.0)
+    share: float = parameter("", 1e-3, 0.5, "relative spread of the depth at which it starts", default=0.1)
+    gap_s: float = parameter("s", 1e-3, 10.0, "longest silence that is bridged", default=1.0)
     states = State.length
     width = Answer.length
     layout = Memory
@@ -254,9 +238,8 @@ class PointFilter(CameraStage):
     def update(self, sample: CameraSample, /) -> PointEstimate | None:
         """Consume one sample; ``None`` before the start. A refused sample changes nothing."""
         found = Answer(self.advance(sample))
-        if found.running != 1.0:
-            return None
-        return PointEstimate(found.t, found.state.copy(), found.spread.m, int(found.restarts))
+        estimate = PointEstimate(found.t, found.state.copy(), found.spread.m, int(found.restarts))
+        return estimate if found.running == 1.0 else None
 
     def run(self, columns: CameraColumns) -> PointTrack:
         """Consume a table; a refused row raises its error and nothing is consumed."""

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from pointpred.errors import ParameterError
-from pointpred.parameter import Parameter, check, is_number
+from pointpred.parameter import Parameter, check
 from pointpred.records import FloatArray
 from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns
 
@@ -18,11 +18,17 @@ Profile = Callable[[Any], tuple[Any, Any, Any]]
 TINY = 1e-30
 ACCURACY = 1e-12
 FOCAL = Parameter("focal_px", "px", *FOCAL_PX, "focal length: image plane to px")
+SEED = Parameter("seed", "", 0, 2**63, "of the noise", whole=True)
 NOISE = (
     Parameter("noise_px", "px", 0.0, 1e3, "pixel noise, uniform in +-noise_px"),
     Parameter("gyro_noise", "rad/s/sqrt(Hz)", 0.0, 1.0, "density of the gyroscope's white noise"),
     Parameter("accel_noise", "m/s^2/sqrt(Hz)", 0.0, 10.0, "density of the accelerometer's white noise"),
     Parameter("dropped", "", 0.0, 1.0, "share of the images that are missing"),
+)
+LENGTH = (
+    Parameter("duration_s", "s", 1e-6, 1e6, "length"),
+    Parameter("image_hz", "1/s", 1e-6, 1e6, "images"),
+    Parameter("readings", "", 1, 1000, "readings of the inertial sensor an image", whole=True),
 )
 ROWS_MOST = 10_000_000
 """Most samples of one simulation: about a gigabyte."""
@@ -53,20 +59,17 @@ class Trajectory(msgspec.Struct, frozen=True):
     @property
     def image(self) -> FloatArray:
         """(x, y) = (X/Z, Y/Z), one row a time."""
-        flat: FloatArray = self.p[:, :2] / self.p[:, 2:]
-        return flat
+        return np.asarray(self.p[:, :2] / self.p[:, 2:])
 
     @property
     def chi(self) -> FloatArray:
         """1/Z, 1/m."""
-        inverse: FloatArray = 1.0 / self.p[:, 2]
-        return inverse
+        return np.asarray(1.0 / self.p[:, 2])
 
     @property
     def eta(self) -> FloatArray:
         """v_z/Z, 1/s."""
-        ratio: FloatArray = self.v[:, 2] * self.chi
-        return ratio
+        return np.asarray(self.v[:, 2] * self.chi)
 
 
 def _vector(profile: Profile, t: Any) -> Any:
@@ -83,20 +86,12 @@ def trajectory(scenario: Scenario, t: FloatArray) -> Trajectory:
 
     def rate(now: float, p: FloatArray) -> FloatArray:
         v, w = _vector(scenario.velocity, now), _vector(scenario.angular, now)
-        motion: FloatArray = -v - np.cross(w, p)
-        return motion
+        return np.asarray(-v - np.cross(w, p))
 
-    solution = solve_ivp(
-        rate,
-        (0.0, times[-1]),
-        scenario.point,
-        t_eval=times,
-        method="DOP853",
-        rtol=ACCURACY,
-        atol=ACCURACY,
-        max_step=0.25,
+    exact = solve_ivp(
+        rate, (0.0, times[-1]), scenario.point, "DOP853", times, rtol=ACCURACY, atol=ACCURACY, max_step=0.25
     )
-    p = solution.y.T
+    p = exact.y.T
     if not (p[:, 2] > 0.0).all():
         raise ParameterError(f"{scenario.name}: the camera reaches the point before {times[-1]:g} s")
     v, w = _vector(scenario.velocity, times), _vector(scenario.angular, times)
@@ -174,24 +169,11 @@ def simulate(
     >>> len(samples), float(truth.chi[0])
     (34, 1.0)
     """
-    for name, value in (("duration_s", duration_s), ("image_hz", image_hz)):
-        if not (is_number(value) and 0.0 < value <= 1e6):
-            raise ParameterError(f"{name} must lie in (0, 1e6], received {value!r}", field=name, value=value)
-    if isinstance(readings, bool) or not isinstance(readings, int) or not 1 <= readings <= 1000:
-        raise ParameterError(
-            f"readings must be a whole number in [1, 1000], received {readings!r}",
-            field="readings",
-            value=readings,
-        )
-    _check_seed(seed)
+    check(LENGTH, {"duration_s": duration_s, "image_hz": image_hz, "readings": readings})
     rate_hz = image_hz * readings
     if duration_s * rate_hz > ROWS_MOST:
         product = f"{duration_s:g} s x {image_hz:g} images/s x {readings} readings"
-        raise ParameterError(
-            f"at most {ROWS_MOST:.0e} samples can be simulated, received {product}",
-            field="duration_s",
-            value=duration_s,
-        )
+        raise ParameterError(f"at most {ROWS_MOST:.0e} samples can be simulated, received {product}")
     t = np.arange(round(duration_s * rate_hz) + 1) / rate_hz
     truth = trajectory(scenario, t)
     return observed(truth, focal_px=focal_px, readings=readings, noise=noise, seed=seed), truth
@@ -204,10 +186,10 @@ def observed(
 
     The same seed gives the same samples. Raises ParameterError.
     """
-    _check_seed(seed)
     noise = noise or Noise()
-    check((FOCAL, *NOISE), {"focal_px": focal_px, **{p.name: getattr(noise, p.name) for p in NOISE}})
-    random = np.random.default_rng(seed)
+    given = {"focal_px": focal_px, "seed": seed} | {p.name: getattr(noise, p.name) for p in NOISE}
+    check((FOCAL, SEED, *NOISE), given)
+    random = np.random.default_rng(int(seed))
     rows, rate_hz = len(truth.t), 1.0 / (truth.t[1] - truth.t[0])
     if noise.normal:
         pixels = random.normal(0.0, noise.noise_px / np.sqrt(3.0), (rows, 2))
@@ -221,10 +203,3 @@ def observed(
     gyro = truth.w + noise.gyro_bias + spread * noise.gyro_noise * random.normal(size=(rows, 3))
     accel = truth.a + noise.accel_bias + spread * noise.accel_noise * random.normal(size=(rows, 3))
     return CameraColumns(np.column_stack([truth.t, image, gyro, accel]))
-
-
-def _check_seed(seed: int) -> None:
-    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
-        raise ParameterError(
-            f"seed must be a whole number not below 0, received {seed!r}", field="seed", value=seed
-        )

@@ -1,30 +1,38 @@
-"""The camera's velocity from the observer's depth, equations (40) to (42): a filter of the unknown input."""
+"""The camera's velocity from the observer's depth, (40) to (42), and all stages together with their flags."""
 
 from __future__ import annotations
 
 from math import nan
-from typing import NamedTuple
+from typing import Self
 
+import msgspec
 import numpy as np
 
+from pointpred.columns import Columns
 from pointpred.compiled import law
 from pointpred.errors import EventError
 from pointpred.layout import Layout
 from pointpred.parameter import parameter
-from pointpred.records import LATEST_S, FloatArray, FloatTable
-from pointpred.stage import CompiledStage, loop_of
-from pointpred_observers.camera.depth import DepthColumns
-from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample
+from pointpred.records import LATEST_S, FloatArray
+from pointpred.stage import loop_into
+from pointpred_observers.camera.depth import Depth, DepthColumns, DepthObserver
+from pointpred_observers.camera.point_filter import PointEstimate, PointFilter
+from pointpred_observers.camera.samples import FOCAL_PX, CameraColumns, CameraSample, CameraStage, usable
 
 FLOOR = 1e-4
 """chi at or below this (a depth of 10 km) is invalid: the velocity is then NaN, never clipped."""
+EVER_S = 2.0 * LATEST_S
+"""No gap is longer: the filter predicts over any."""
+SURE = 2.0
+"""Standard deviations by which the filter's eta must exceed -decay to clear ``detectable``."""
 SPREAD_START = 1.0
 """Standard deviation of d before the first image, 1/s."""
 
 
 class Settings(Layout):
-    """The variance of an image, the density of the unknown input's rate in 1/s^3."""
+    """The focal length, the variance of an image, the density of the unknown input's rate in 1/s^3."""
 
+    focal_px: float
     noise: float
     density: float
 
@@ -56,18 +64,6 @@ class Memory(Layout):
     state: State
 
 
-class FlowRow(NamedTuple):
-    """``t`` s; the point ``x y`` in focal lengths, NaN without an image; ``eta`` 1/s; ``wx wy wz`` rad/s."""
-
-    t: float
-    x: float
-    y: float
-    eta: float
-    wx: float
-    wy: float
-    wz: float
-
-
 @law
 def flow(x: float, y: float, eta: float, wx: float, wy: float, wz: float) -> tuple[float, float]:
     """The known part of the image's motion: (x, y) eta + B w; the rest of (x, y)' is -d."""
@@ -91,18 +87,19 @@ def predict(s: State, density: float, eta: float, wx: float, wy: float, wz: floa
 
 
 @law
-def step(
-    memory: Memory, row: tuple[float, float, float, float, float, float, float]
-) -> tuple[float, float, float, float]:
-    """One ``FlowRow``: t, d_x, d_y and their standard deviation, 1/s."""
+def step(memory: Memory, row: FloatArray, out: FloatArray) -> None:
+    """A ``CameraSample``, then the observer's eta: t, d_x, d_y and their spread, 1/s, into ``out``."""
     settings, s = memory.settings, memory.state
-    t, x, y, eta, wx, wy, wz = FlowRow(*row)
-    if not abs(t) <= LATEST_S or (s.started == 1.0 and not t > s.t):
-        return nan, nan, nan, nan
+    t, wx, wy, wz, eta = row[0], row[3], row[4], row[5], row[9]
+    if not usable(
+        CameraSample(t, row[1], row[2], wx, wy, wz, row[6], row[7], row[8]), s.started, s.t, EVER_S
+    ):
+        return
+    x, y = row[1] / settings.focal_px, row[2] / settings.focal_px
+    out[0] = t
     image = x == x
-    if eta != eta:  # the last estimate stays
-        return t, nan if s.imaged == 0.0 else s.dx, nan if s.imaged == 0.0 else s.dy, s.p11**0.5
-    if s.imaged == 1.0:
+    known = eta == eta  # where it is not, the last estimate stays
+    if known and s.imaged == 1.0:
         predict(s, settings.density, eta, wx, wy, wz, t - s.t)
         if image:
             total = s.p00 + settings.noise
@@ -115,24 +112,17 @@ def step(
             s.p11 -= far * s.p01
             s.p01 *= 1.0 - near
             s.p00 *= 1.0 - near
-    elif image:
+    elif known and image:
         s.imaged, s.x, s.y = 1.0, x, y
         s.p00, s.p11 = settings.noise, SPREAD_START**2
-    s.started, s.t = 1.0, t
-    s.kx, s.ky = flow(s.x, s.y, eta, wx, wy, wz)
-    if s.imaged == 0.0:
-        return t, nan, nan, nan
-    return t, s.dx, s.dy, s.p11**0.5
+    if known:
+        s.started, s.t = 1.0, t
+        s.kx, s.ky = flow(s.x, s.y, eta, wx, wy, wz)
+    if s.imaged == 1.0:
+        out[1], out[2], out[3] = s.dx, s.dy, s.p11**0.5
 
 
-@law
-def row_at(rows: FloatTable, i: int) -> tuple[float, float, float, float, float, float, float]:
-    """A row of a table as a tuple."""
-    r = rows[i]
-    return r[0], r[1], r[2], r[3], r[4], r[5], r[6]
-
-
-class UnknownInputFilter(CompiledStage):
+class UnknownInputFilter(CameraStage):
     """Kalman filter of (x, y) and d = chi (v_x, v_y) with the known motion of the image fed forward.
 
     Assumes that d changes as a random walk and that eta and w are correct: the error of eta times (x, y)
@@ -142,7 +132,7 @@ class UnknownInputFilter(CompiledStage):
     (x, y)' = (x, y) eta + B_y w - d, d' white of density q; image noise r; both axes share one covariance.
 
     Parameters: ``focal_px`` px; ``noise_px`` px, standard deviation of a coordinate; ``density`` 1/s^3, q.
-    Memory: 14 floats. Raises ParameterError; EventError if time does not increase.
+    Memory: 15 floats. Raises ParameterError; EventError if time does not increase.
 
     Reference: Benyoucef et al. 2021, equations (39) to (41), with a filter instead of the derivative.
 
@@ -155,42 +145,30 @@ class UnknownInputFilter(CompiledStage):
     """
 
     focal_px: float = parameter("px", *FOCAL_PX, "focal length: image plane to px")
-    noise_px: float = parameter(
-        "px", 1e-3, 1e3, "standard deviation of a coordinate in the image", default=1.0
-    )
-    density: float = parameter(
-        "1/s^3", 1e-12, 1e6, "spectral density of the unknown input's rate", default=3e-4
-    )
+    noise_px: float = parameter("px", 1e-3, 1e3, "standard deviation in the image", default=1.0)
+    density: float = parameter("1/s^3", 1e-12, 1e6, "density of the unknown input's rate", default=3e-4)
     states = State.length
     width = 4
-    loop = staticmethod(loop_of(step, row_at))
+    layout = Memory
+    loop = staticmethod(loop_into(step))
     step = staticmethod(step)
 
     def settings(self) -> list[float]:
         """The beginning of the memory."""
-        return [(float(self.noise_px) / float(self.focal_px)) ** 2, float(self.density)]
+        focal_px = float(self.focal_px)
+        return [focal_px, (float(self.noise_px) / focal_px) ** 2, float(self.density)]
 
     def update(self, sample: CameraSample, /, eta: float) -> tuple[float, float, float]:
         """D and its standard deviation after a sample and the observer's eta; a refused one changes nothing.
 
         NaN before the first image; where eta is NaN the last estimate stays.
         """
-        t, x, y, wx, wy, wz, *_ = sample
-        row = (float(t), x / self.focal_px, y / self.focal_px, float(eta), float(wx), float(wy), float(wz))
-        found, dx, dy, spread = self.advance(row)
-        if found != found:
-            raise EventError(f"t must increase, received {t!r}", field="t", value=t)
+        _, dx, dy, spread = self.advance(sample, (float(eta),)).tolist()
         return dx, dy, spread
 
     def run(self, samples: CameraColumns, eta: FloatArray) -> FloatArray:
         """D at each row of a table, (rows, 2); a refused row raises its error."""
-        s, f = samples, self.focal_px
-        table = np.column_stack([s.t, s.x / f, s.y / f, eta, s.wx, s.wy, s.wz])
-        out = self.walk(np.zeros(len(table), np.bool_), table)
-        if np.isnan(out[:, 0]).any():
-            row = int(np.isnan(out[:, 0]).argmax())
-            raise EventError(f"row {row}: t must increase, received {s.t[row]!r}", field="t", value=s.t[row])
-        return out[:, 1:3]
+        return self.table(np.column_stack([samples.table, eta]))[:, 1:3]
 
 
 def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:
@@ -203,3 +181,89 @@ def velocities(d: FloatArray, depth: DepthColumns) -> FloatArray:
     chi = np.where(depth.chi > FLOOR, depth.chi, np.nan)
     rates: FloatArray = np.column_stack([d, depth.eta]) / chi[:, None]
     return rates
+
+
+class CameraEstimate(msgspec.Struct, frozen=True):
+    """Estimates after a sample: the observer's depth and velocity, and the Kalman filter's (``peer``).
+
+    ``detectable``: the observer's own zeros lie below -decay and the filter does not contradict. If it is
+    false the observer's errors do not decay: use ``peer`` if it is not ``None``.
+    """
+
+    depth: Depth
+    velocity: tuple[float, float, float]
+    detectable: bool
+    peer: PointEstimate | None
+
+
+class CameraTable(Columns[tuple[float, ...]]):
+    """Estimates as columns, NaN if unknown; ``peer_`` columns are the filter's."""
+
+    names = (
+        *("t", "chi", "eta", "vx", "vy", "vz", "detectable", "certified", "image"),
+        *("peer_chi", "peer_eta", "peer_vx", "peer_vy", "peer_vz", "peer_depth_spread"),
+    )
+
+    def _record(self, row: list[float]) -> tuple[float, ...]:
+        return tuple(row)
+
+
+class CameraPipeline:
+    """A ``Stage[CameraSample, CameraEstimate]``: the unknown input observer with the filter as a check.
+
+    The observer alone cannot distinguish an approaching from a receding camera if it was started with the
+    wrong sign. The filter can, once the images determine the depth: if its eta lies above -decay by two
+    standard deviations, ``detectable`` is false whatever the observer's estimate.
+
+    Parameters: ``observer``; ``peer``; ``noise_px`` px, the standard deviation of the image, for the filter
+    of the velocity. Raises EventError and EventOrderError and is then unchanged.
+    """
+
+    def __init__(self, observer: DepthObserver, peer: PointFilter, *, noise_px: float = 1.0) -> None:
+        self.observer, self.peer = observer, peer
+        self.unknown = UnknownInputFilter(focal_px=observer.focal_px, noise_px=noise_px)
+
+    def reset(self) -> None:
+        """Forget every sample."""
+        for stage in (self.observer, self.peer, self.unknown):
+            stage.reset()
+
+    def fresh(self) -> Self:
+        """The same parameters, without memory."""
+        return type(self)(self.observer.fresh(), self.peer.fresh(), noise_px=self.unknown.noise_px)
+
+    def update(self, sample: CameraSample, /) -> CameraEstimate:
+        """Consume one sample; a refused one changes nothing."""
+        memory = self.observer.remembered()  # it has moved on when the filter refuses the sample
+        depth = self.observer.update(sample)
+        try:
+            peer = self.peer.update(sample)
+        except EventError:
+            self.observer.recall(memory)
+            raise
+        d = self.unknown.update(sample, depth.eta)[:2]
+        vx, vy, vz = velocities(np.array([d]), DepthColumns([depth]))[0].tolist()
+        denied = peer is not None and peer.eta - SURE * peer.eta_spread > -self.observer.decay
+        return CameraEstimate(depth, (vx, vy, vz), depth.detectable and not denied, peer)
+
+    def run(self, samples: CameraColumns) -> CameraTable:
+        """Consume a table; when a row is refused the error names it and nothing is consumed."""
+        rows, stages = [], (self.observer, self.peer, self.unknown)
+        before = [stage.remembered() for stage in stages]
+        for number, sample in enumerate(samples):
+            try:
+                rows.append(_row(self.update(sample)))
+            except EventError as refused:
+                for stage, memory in zip(stages, before, strict=True):
+                    stage.recall(memory)
+                words = f"row {number}: {refused}"
+                raise type(refused)(words, field=refused.field, value=refused.value) from refused
+        return CameraTable(np.array(rows).reshape(-1, len(CameraTable.names)))
+
+
+def _row(one: CameraEstimate) -> tuple[float, ...]:
+    depth, peer, other = one.depth, one.peer, (nan,) * 6
+    if peer is not None:
+        other = (peer.chi, peer.eta, *peer.state[3:].tolist(), peer.depth_spread)
+    flags = (float(one.detectable), float(depth.certified), float(depth.image))
+    return (depth.t, depth.chi, depth.eta, *one.velocity, *flags, *other)

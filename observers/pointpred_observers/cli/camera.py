@@ -16,13 +16,13 @@ from pointpred.cli.output_files import (
     check_targets,
     write_json,
 )
-from pointpred.cli.reading_options import check_exists
 from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
+from pointpred_observers.cli import existing, option, write_table
 
 app = typer.Typer(no_args_is_help=True)
-Focal = Annotated[float, typer.Option(metavar="PX", help="Focal length in px; there is no default.")]
-Seen = Annotated[float, typer.Option(metavar="PX", help="Noise of the point: uniform in +- this many px.")]
+Focal = Annotated[float, option("PX", "Focal length in px; there is no default.")]
+Seen = Annotated[float, option("PX", "Noise of the point: uniform in +- this many px.")]
 SMALLEST_PX = 0.05
 """The least noise the filter assumes: with none it would rely on its first image alone."""
 
@@ -33,7 +33,7 @@ def simulate(
     scenario: Annotated[
         str, typer.Argument(help="paper, approaching, axial, rotating or stationary.")
     ] = "paper",
-    out: Annotated[Path, typer.Option(metavar="FILE", help="CSV file to write.")] = Path("camera.csv"),
+    out: Annotated[Path, option("FILE", "CSV file to write.")] = Path("camera.csv"),
     seconds: Annotated[float, typer.Option(help="Length, s.")] = 10.0,
     noise: Seen = 2.0,
     seed: Seed = 0,
@@ -54,7 +54,7 @@ def simulate(
     """
     from pointpred_observers.camera import SCENARIOS, CameraColumns, Noise
     from pointpred_observers.camera import simulate as make
-    from pointpred_observers.cli.camera_files import TRUTH, truth_table, write_table
+    from pointpred_observers.cli.camera_files import TRUTH, truth_table
 
     if scenario not in SCENARIOS:
         raise ParameterError(f"SCENARIO must be one of {', '.join(SCENARIOS)}, received {scenario!r}")
@@ -63,13 +63,8 @@ def simulate(
     check_target(targets[1])
     for target in targets:
         check_free(target, force)
-    samples, truth = make(
-        SCENARIOS[scenario],
-        focal_px=focal_px,
-        duration_s=seconds,
-        noise=Noise(noise_px=noise),
-        seed=seed,
-    )
+    blur = Noise(noise_px=noise)
+    samples, truth = make(SCENARIOS[scenario], focal_px=focal_px, duration_s=seconds, noise=blur, seed=seed)
     write_table(out, CameraColumns.names, samples.table)
     write_table(targets[1], TRUTH, truth_table(truth))
     for target in targets:
@@ -79,41 +74,15 @@ def simulate(
 
 @app.command()
 def run(
-    samples: Annotated[
-        Path, typer.Argument(callback=check_exists, dir_okay=False, help="CSV of camera samples.")
-    ],
+    samples: Annotated[Path, existing("CSV of camera samples.")],
     focal_px: Focal,
-    truth: Annotated[
-        Path | None,
-        typer.Argument(
-            callback=check_exists, dir_okay=False, help="CSV with the true values, to be compared with."
-        ),
-    ] = None,
+    truth: Annotated[Path | None, existing("CSV with the true values, to be compared with.")] = None,
     start: Annotated[
-        str,
-        typer.Option(
-            metavar="M[,M/S]", help="What the observer starts with: the depth, and the velocity forwards."
-        ),
+        str, option("M[,M/S]", "Depth and forward velocity that the observer starts with.")
     ] = "1,0",
-    up: Annotated[
-        str | None,
-        typer.Option(
-            metavar="X,Y,Z|rest",
-            help="Remove gravity: the direction opposite to it at first, or of a camera at rest.",
-        ),
-    ] = None,
+    up: Annotated[str | None, option("X,Y,Z|rest", "Remove gravity: up at first, or at rest.")] = None,
     noise: Seen = 2.0,
-    images: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FOLDER", callback=check_exists, file_okay=False, help="Images to follow the point in."
-        ),
-    ] = None,
-    point: Annotated[
-        str, typer.Option(metavar="X,Y", help="Its position in the first image, px from the centre.")
-    ] = "0,0",
-    every: Annotated[int, typer.Option(help="Samples per image, with --images.")] = 1,
-    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="SVG file to draw.")] = None,
+    plot: Annotated[Path | None, option("FILE", "SVG file to draw.")] = None,
     json: Numbers = None,
     force: Force = False,
 ) -> None:
@@ -130,15 +99,12 @@ def run(
 
       pointpred camera run camera.csv --focal-px 800 --start 1,-0.3
 
-      pointpred camera run readings.csv --focal-px 620 --images frames/ --point 12,-40 --plot depth.svg
+      pointpred camera run readings.csv --focal-px 620 --up rest --plot depth.svg
     """
     check_targets({"--plot": plot, "--json": json}, [samples] if truth is None else [samples, truth], force)
     from pointpred_observers.cli import camera_files as files
 
-    columns = files.read_samples(samples, up)
-    if images is not None:
-        columns = _followed(columns, images, point, every)
-    estimates = _pipeline(focal_px, start, noise).run(columns)
+    estimates = _pipeline(focal_px, start, noise).run(files.read_samples(samples, up))
     truths = None if truth is None else files.read_truth(truth)
     errors = None if truths is None else files.errors_of(estimates, truths)
     if plot is not None:
@@ -150,29 +116,15 @@ def run(
         files.show(estimates, errors)
 
 
-def _followed(columns: Any, folder: Path, point: str, every: int) -> Any:
-    from pointpred_observers.camera.tracker import PointTracker, tracked
-    from pointpred_observers.cli.camera_files import read_images
-
-    x, y = _pair("--point", "X,Y in px", point)
-    if every < 1:
-        raise ParameterError(f"--every must be at least 1, received {every}")
-    return tracked(PointTracker(x=x, y=y), read_images(folder), columns, every)
-
-
-def _pair(option: str, what: str, text: str) -> tuple[float, float]:
-    try:
-        first, second = (float(part) for part in text.split(","))
-    except ValueError as unusable:
-        raise ParameterError(f"{option} needs {what}, received {text!r}") from unusable
-    return first, second
-
-
 def _pipeline(focal_px: float, start: str, noise: float) -> Any:
     from pointpred_observers.camera import CameraPipeline, DepthObserver, PointFilter
 
     whole = start if "," in start else f"{start},0"
-    depth, vz = _pair("--start", "a depth in m, or DEPTH,VELOCITY in m and m/s", whole)
+    try:
+        depth, vz = (float(part) for part in whole.split(","))
+    except ValueError as unusable:
+        needs = "a depth in m, or DEPTH,VELOCITY in m and m/s"
+        raise ParameterError(f"--start needs {needs}, received {whole!r}") from unusable
     if not depth > 0.0:
         raise ParameterError(f"--start: the depth must be positive, received {depth:g}")
     if not noise >= 0.0:

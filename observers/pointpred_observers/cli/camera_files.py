@@ -8,12 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from rich.table import Table
 
-from pointpred.console import results
-from pointpred.drawing import GREY, PALETTE, canvas, picture
+from pointpred.console import results, table
+from pointpred.drawing import GREY, Panel, beside, drawn, picture
 from pointpred.errors import ParameterError, RecordingError
-from pointpred.extras import missing_extra
 from pointpred.files import write_whole
 from pointpred.records import FloatArray
 from pointpred_observers.camera import CameraColumns, CameraTable, Gravity
@@ -22,23 +20,12 @@ from pointpred_observers.camera.scenario import Trajectory
 UP = ("ux", "uy", "uz")
 """Columns of the direction opposite to gravity in the camera's frame, where the attitude is known."""
 TRUTH = ("t", "depth_m", "vx", "vy", "vz")
-IMAGES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm")
 MOMENTS = 11
 HEADINGS = ("t s", "Z observer m", "Z filter m", "v_z observer m/s", "v_z filter m/s", "believe")
-NAMES = ("chi", "eta", "vx", "vy", "vz")
 UNITS = {"chi": "1/m", "eta": "1/s", "vx": "m/s", "vy": "m/s", "vz": "m/s"}
 Names = tuple[str, ...]
 Errors = dict[str, dict[str, float | None]]
 SHOWN = (("depth Z [m]", None), ("v_x [m/s]", "vx"), ("v_y [m/s]", "vy"), ("v_z [m/s]", "vz"))
-OBSERVER, PEER = PALETTE[1], PALETTE[0]
-
-
-def write_table(target: Path, names: Names, table: FloatArray) -> None:
-    """A CSV file with a header; what is not there (NaN) is an empty field."""
-    with target.open("w", newline="", encoding="utf-8") as stream:
-        writer = csv.writer(stream)
-        writer.writerow(names)
-        writer.writerows([["" if v != v else repr(v) for v in row] for row in table.tolist()])
 
 
 def read_table(source: Path, names: Names, more: Names = ()) -> FloatArray:
@@ -105,30 +92,10 @@ def read_samples(source: Path, up: str | None = None) -> CameraColumns:
     if up is None and known is None:
         return columns
     try:
-        first = None if up in (None, "rest") else [float(one) for one in str(up).split(",")]
+        first = None if up in (None, "rest") else [float(one) for one in str(up).split(",", 2)]
     except ValueError as unusable:
         raise ParameterError(f"--up needs X,Y,Z or rest, received {up!r}") from unusable
-    if first is not None and len(first) != 3:
-        raise ParameterError(f"--up needs X,Y,Z or rest, received {up!r}")
     return Gravity(up=first).run(columns, known)
-
-
-def read_images(folder: Path) -> list[Any]:
-    """The images of a folder in the order of their names, grey."""
-    files = sorted(path for path in folder.iterdir() if path.suffix.lower() in IMAGES)
-    if not files:
-        raise ParameterError(f"--images {folder}: holds no image ({', '.join(IMAGES)})")
-    try:
-        import cv2
-    except ImportError as missing:
-        raise missing_extra("camera", "reading images needs OpenCV", of="pointpred-observers") from missing
-    images = []
-    for path in files:
-        image = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
-        if image is None:
-            raise RecordingError(f"{path}: is no image that can be read")
-        images.append(image)
-    return images
 
 
 def errors_of(estimates: CameraTable, truth: FloatArray) -> Errors:
@@ -137,14 +104,13 @@ def errors_of(estimates: CameraTable, truth: FloatArray) -> Errors:
         raise ParameterError(f"TRUTH: needs the {len(estimates)} times of the samples, received others")
     chi, eta = 1.0 / truth[:, 1], truth[:, 4] / truth[:, 1]
     wanted = {"chi": chi, "eta": eta, "vx": truth[:, 2], "vy": truth[:, 3], "vz": truth[:, 4]}
-    table: Errors = {}
-    for who, prefix in (("observer", ""), ("peer", "peer_")):
-        table[who] = {}
-        for name, values in wanted.items():
+    errors: Errors = {"observer": {}, "peer": {}}
+    for name, values in wanted.items():
+        for who, prefix in (("observer", ""), ("peer", "peer_")):
             error = getattr(estimates, prefix + name) - values
             finite = error[error == error]
-            table[who][name] = float(np.sqrt(np.mean(finite**2))) if len(finite) else None
-    return table
+            errors[who][name] = float(np.sqrt(np.mean(finite**2))) if len(finite) else None
+    return errors
 
 
 def summary(estimates: CameraTable, errors: Errors | None) -> dict[str, Any]:
@@ -164,20 +130,15 @@ def summary(estimates: CameraTable, errors: Errors | None) -> dict[str, Any]:
 
 def show(estimates: CameraTable, errors: Errors | None) -> None:
     """Print moments spread evenly over the run, and errors where a truth was given."""
-    table = Table(box=None, pad_edge=False)
-    for heading in HEADINGS:
-        table.add_column(heading, justify="right")
-    for row in np.linspace(0, len(estimates) - 1, min(MOMENTS, len(estimates))).astype(int):
-        table.add_row(*_moment(estimates, int(row)))
-    results().print(table)
+    moments = np.linspace(0, len(estimates) - 1, min(MOMENTS, len(estimates))).astype(int)
+    rows = [_moment(estimates, int(row)) for row in moments]
+    results().print(table(HEADINGS, rows, right=HEADINGS))
     if errors is None:
         return
-    below = Table(box=None, pad_edge=False, title="RMSE beside the truth", title_justify="left")
-    below.add_column("")
-    for name in NAMES:
-        below.add_column(f"{name} {UNITS[name]}", justify="right")
-    for who, values in errors.items():
-        below.add_row(who.replace("peer", "filter"), *(_number(values[name]) for name in NAMES))
+    named = [f"{name} {unit}" for name, unit in UNITS.items()]
+    rows = [(who.replace("peer", "filter"), *map(_number, one.values())) for who, one in errors.items()]
+    below = table(("", *named), rows, right=named)
+    below.title, below.title_justify = "RMSE beside the truth", "left"
     results().print(below)
 
 
@@ -201,35 +162,26 @@ def _number(value: float | None) -> str:
 
 def plot(estimates: CameraTable, truth: FloatArray | None, target: Path, title: str) -> None:
     """Write an SVG file with four panels; grey: where the observer's errors do not fade."""
-    with canvas(2, 2, width=9.0, height=6.0) as (figure, axes):
-        for place, (label, name) in enumerate(SHOWN):
-            ax = axes[place]
-            observer = 1.0 / estimates.chi if name is None else getattr(estimates, name)
-            peer = 1.0 / estimates.peer_chi if name is None else getattr(estimates, f"peer_{name}")
-            low, high = _range(peer, observer, None if truth is None else truth[:, place + 1])
-            if truth is not None:
-                ax.plot(
-                    estimates.t, truth[:, place + 1], color=GREY, linewidth=3.5, label="truth", zorder=1.5
-                )
-            ax.plot(estimates.t, observer, color=OBSERVER, linewidth=1.0, label="observer")
-            ax.plot(
-                estimates.t, peer, color=PEER, linestyle=(0, (4, 2)), linewidth=1.5, label="filter (peer)"
-            )
-            blind = estimates.detectable == 0.0
-            ax.fill_between(
-                estimates.t, 0.0, 1.0, where=blind, color=GREY, alpha=0.15, linewidth=0.0,
-                transform=ax.get_xaxis_transform(), label="not detectable" if blind.any() else None,
-            )  # fmt: skip
-            ax.set(xlabel="t [s]", ylabel=label, ylim=(low, high))
-        figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
-        figure.suptitle(title, x=0.01, ha="left")
+    blind, panels = estimates.detectable == 0.0, []
+    for place, (label, name) in enumerate(SHOWN, start=1):
+        observer = 1.0 / estimates.chi if name is None else getattr(estimates, name)
+        peer = 1.0 / estimates.peer_chi if name is None else getattr(estimates, f"peer_{name}")
+        true = [] if truth is None else [truth[:, place]]
+        lines = beside(estimates.t, *((one, "truth", "truth") for one in true))
+        lines += beside(estimates.t, (observer, "observer", "second"), (peer, "filter (peer)", "first"))
+        panels.append(Panel(label, lines, limits=_range(peer, observer, *true)))
+    said = f"{title}; grey: not detectable" if blind.any() else title
+    with drawn(said, panels, 2) as figure:
+        for ax in figure.axes:
+            across = ax.get_xaxis_transform()
+            ax.fill_between(estimates.t, 0.0, 1.0, blind, color=GREY, alpha=0.15, lw=0.0, transform=across)
         caption = "Depth and velocity over time by observer and filter."
         write_whole(target, picture(figure, caption, title, wide=True).svg.encode())
 
 
-def _range(*lines: FloatArray | None) -> tuple[float, float]:
+def _range(*lines: FloatArray) -> tuple[float, float]:
     """What is worth seeing: the middle 96 % of each line, and some air."""
-    finite = [line[line == line] for line in lines if line is not None]
+    finite = [line[line == line] for line in lines]
     ends = [np.percentile(line, (2.0, 98.0)) for line in finite if len(line)]
     if not ends:
         return 0.0, 1.0

@@ -3,27 +3,25 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from pointpred.cli.output_files import Force, Numbers, Seed, check_targets, write_json
-from pointpred.cli.reading_options import check_exists
 from pointpred.console import remarks
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
+from pointpred_observers.cli import existing, option
 
 if TYPE_CHECKING:
     from pointpred_observers.simulations.result import Simulation
 
 app = typer.Typer(no_args_is_help=True)
-PlantFile = Annotated[
-    Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a plant.")
-]
-DesignFile = Annotated[
-    Path, typer.Argument(callback=check_exists, dir_okay=False, help="JSON file of a design.")
-]
+
+
+PlantFile = Annotated[Path, existing("JSON file of a plant.")]
+DesignFile = Annotated[Path, existing("JSON file of a design.")]
 
 
 @app.command()
@@ -34,9 +32,7 @@ def example(
             help="motor, pendulum, tank, wing, spring, oven, or a generator: oscillator, heating."
         ),
     ] = "motor",
-    out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="File to write; not given: printed.")
-    ] = None,
+    out: Annotated[Path | None, option("FILE", "File to write; not given: printed.")] = None,
     force: Force = False,
 ) -> None:
     """Print a plant as JSON, to be changed into your own.
@@ -54,13 +50,13 @@ def example(
 
       pointpred observers example pendulum --out pendulum.json
     """
-    from pointpred_observers.cli.observer_examples import EXAMPLES
+    from pointpred_observers.cli.observer_results import EXAMPLES
     from pointpred_observers.files import encoded
 
     if plant not in EXAMPLES:
-        listed = "; ".join(f"{name}: {one.about}" for name, one in EXAMPLES.items())
+        listed = " ".join(f"{name}: {one.__doc__}" for name, one in EXAMPLES.items())
         raise ParameterError(f"PLANT must be one of these, received {plant!r}. {listed}", field="plant")
-    text = encoded(EXAMPLES[plant].plant())
+    text = encoded(EXAMPLES[plant]())
     if out is None:
         typer.echo(text.decode(), nl=False)
         return
@@ -72,37 +68,19 @@ def example(
 @app.command()
 def design(
     plant: PlantFile,
-    generator: Annotated[
-        Path | None,
-        typer.Argument(
-            callback=check_exists,
-            dir_okay=False,
-            help="JSON file of the generator that drives the plant (driven, interlaced).",
-        ),
-    ] = None,
+    generator: Annotated[Path | None, existing("JSON file of the generator (driven, interlaced).")] = None,
     kind: Annotated[
         str | None,
-        typer.Option(
-            metavar="KIND",
-            help="reduced, full, driven, regulator, unknown-input or interlaced. Not given: what the plant "
-            "allows.",
+        option(
+            "KIND",
+            "reduced, full, driven, regulator, unknown-input or interlaced; else what the plant allows.",
         ),
     ] = None,
-    decay: Annotated[
-        float,
-        typer.Option(metavar="RATE", help="Decay demanded of the error, 1/s (1/step of a discrete plant)."),
-    ] = 1.0,
-    out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Design to write (PLANT_design.json).")
-    ] = None,
-    upper: Annotated[
-        int | None, typer.Option(metavar="ROWS", help="Rows of the upper part (interlaced; 0).")
-    ] = None,
+    decay: Annotated[float, option("RATE", "Decay demanded of the error, 1/s (1/step if discrete).")] = 1.0,
+    out: Annotated[Path | None, option("FILE", "Design to write (PLANT_design.json).")] = None,
+    upper: Annotated[int | None, option("ROWS", "Rows of the upper part (interlaced; 0).")] = None,
     first: Annotated[
-        str | None,
-        typer.Option(
-            metavar="EXPRESSION", help="The steady state of the first lower row, such as w1 (interlaced)."
-        ),
+        str | None, option("EXPRESSION", "Map of the first lower row, as w1 (interlaced).")
     ] = None,
     json: Numbers = None,
     force: Force = False,
@@ -127,7 +105,7 @@ def design(
     check_targets({"--out": target, "--json": json}, inputs, force)
     from pointpred_observers import design as designed
     from pointpred_observers import load, save
-    from pointpred_observers.cli.observer_tables import print_design, summary
+    from pointpred_observers.cli.observer_results import print_design, summary
 
     read, driving = load(plant), None if generator is None else load(generator)
     options = {"generator": driving, "upper": upper, "first": first}
@@ -138,9 +116,7 @@ def design(
         if wrong.field != "slopes":
             raise
         # Slopes stand in the file of the plant and in no option, so the file is where to mend them.
-        raise ParameterError(
-            f"{plant}: {wrong}", code=wrong.code, field=wrong.field, value=wrong.value
-        ) from wrong
+        raise ParameterError(f"{plant}: {wrong}", code=wrong.code, field=wrong.field) from wrong
     save(made, target)
     if json is not None:
         write_json(summary(made), json)
@@ -162,8 +138,7 @@ def audit(design: DesignFile, json: Numbers = None, force: Force = False) -> Non
     """
     check_targets({"--json": json}, [design], force)
     from pointpred_observers import audit as audited
-    from pointpred_observers.cli.observer_runs import design_of
-    from pointpred_observers.cli.observer_tables import print_audit, summary
+    from pointpred_observers.cli.observer_results import design_of, print_audit, summary
 
     made = design_of(design)
     margins = audited(made)
@@ -177,31 +152,16 @@ def audit(design: DesignFile, json: Numbers = None, force: Force = False) -> Non
 def simulate(
     design: DesignFile,
     seconds: Annotated[
-        float | None, typer.Option(help="Length, s (10); of a discrete plant, in steps (1000).")
+        float | None, typer.Option(help="Length, s (10), or steps (1000) of a discrete plant.")
     ] = None,
-    start: Annotated[
-        str | None, typer.Option(metavar="A,B,...", help="State of the plant at first; not given: ones.")
-    ] = None,
-    input: Annotated[
-        list[str] | None,
-        typer.Option(metavar="EXPRESSION", help="A known input, a function of t; once for each input."),
-    ] = None,
-    unknown_input: Annotated[
-        list[str] | None,
-        typer.Option(metavar="EXPRESSION", help="An input that nobody measures, a function of t."),
-    ] = None,
-    parameter: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=EXPRESSION", help="A scheduling variable, a function of t."),
-    ] = None,
-    noise: Annotated[
-        str, typer.Option(metavar="SD", help="Standard deviation of the outputs' noise, or one for each.")
-    ] = "0",
+    start: Annotated[str | None, option("A,B,...", "State of the plant at first; not given: ones.")] = None,
+    input: Annotated[list[str] | None, option("EXPRESSION", "A known input over t; once for each.")] = None,
+    unknown_input: Annotated[list[str] | None, option("EXPRESSION", "An unmeasured input over t.")] = None,
+    parameter: Annotated[list[str] | None, option("NAME=EXPRESSION", "A scheduling variable over t.")] = None,
+    noise: Annotated[str, option("SD", "Standard deviation of the outputs' noise, or one for each.")] = "0",
     seed: Seed = 0,
-    plot: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Figure to draw: .svg, .png or .pdf.")
-    ] = None,
-    out: Annotated[Path | None, typer.Option(metavar="FILE", help="CSV file of every signal.")] = None,
+    plot: Annotated[Path | None, option("FILE", "Figure to draw: .svg, .png or .pdf.")] = None,
+    out: Annotated[Path | None, option("FILE", "CSV file of every signal.")] = None,
     json: Numbers = None,
     force: Force = False,
 ) -> None:
@@ -223,26 +183,20 @@ def simulate(
         require("report", "--plot")
         check_ending(plot)
     from pointpred_observers import simulate as simulated
-    from pointpred_observers.cli.observer_runs import design_of, sampling, signals, write_signals
-    from pointpred_observers.cli.observer_tables import errors_document, print_errors
+    from pointpred_observers.cli import observer_results as results
 
-    made = design_of(design)
-    asked: dict[str, Any] = signals(
-        start=start,
-        input=input,
-        unknown_input=unknown_input,
-        parameter=parameter,
-        noise=noise,
-    )
-    result: Simulation = simulated(made.plant, made, times=sampling(made.plant, seconds), seed=seed, **asked)
+    made = results.design_of(design)
+    asked = results.signals(start, noise, parameter, input=input, unknown_input=unknown_input)
+    times = results.sampling(made.plant, seconds)
+    result: Simulation = simulated(made.plant, made, times=times, seed=seed, **asked)
     if plot is not None:
         result.plot(plot)
     if out is not None:
-        write_signals(result, out)
+        results.write_signals(result, out)
     if json is not None:
-        write_json(errors_document(result), json)
+        write_json(results.errors_document(result), json)
     if json is None or str(json) != "-":
-        print_errors(result)
+        results.print_errors(result)
     for target in (plot, out):
         if target is not None:
             remarks().print(f"written: {target}")

@@ -3,16 +3,17 @@
 
 static const double records_LATEST_S = 100000000000.0;
 static const double camera_depth_LARGEST_RATE = 1000.0;
-static const double camera_gravity_AT_REST = 0.1;
 static const double camera_kinematics_SMALL = 0.0001;
 static const double camera_point_filter_NEAREST_M = 0.0001;
 static const double camera_point_filter_RUNNING = 2.0;
 static const double camera_point_filter_STARTING = 1.0;
 static const double camera_point_filter_WAITING = 0.0;
+static const double camera_samples_AT_REST = 0.1;
 static const double camera_samples_LARGEST_A = 10000.0;
 static const double camera_samples_LARGEST_PX = 1000000.0;
 static const double camera_samples_LARGEST_W = 1000.0;
 static const double camera_samples_SUBSTEP_S = 0.05;
+static const double camera_velocity_EVER_S = 200000000000.0;
 static const double camera_velocity_SPREAD_START = 1.0;
 
 /* (chi, r)' with r = eta + w_y x - w_x y, the last row of T x: no unknown input in it. */
@@ -194,66 +195,6 @@ T3d camera_kinematics_back(T3d turn, T3d vector) {
   return (T3d){x - s * ux + c * wx, y - s * uy + c * wy, z - s * uz + c * wz};
 }
 
-/* A sample, then up there (NaN: not given): the sample without gravity into ``out``, or nothing. */
-void camera_gravity_step(camera_gravity_Memory * memory, Vector row, Vector out) {
-  camera_gravity_Settings * settings;
-  camera_gravity_State * s;
-  double t, wx, wy, wz, ax, ay, az, ux, uy, uz, h, size;
-  T3d turn;
-  settings = &memory->settings;
-  s = &memory->state;
-  t = row.p[0];
-  wx = row.p[3];
-  wy = row.p[4];
-  wz = row.p[5];
-  ax = row.p[6];
-  ay = row.p[7];
-  az = row.p[8];
-  if (!camera_samples_usable((camera_samples_CameraSample){t, row.p[1], row.p[2], wx, wy, wz, ax, ay, az}, s->started, s->t, settings->gap_s)) {
-    return;
-  }
-  ux = row.p[9];
-  uy = row.p[10];
-  uz = row.p[11];
-  if (ux != ux) {
-    if (s->started == 1.0) {
-      h = 0.5 * (t - s->t);
-      turn = (T3d){h * (s->wx + wx), h * (s->wy + wy), h * (s->wz + wz)};
-      T3d values_1 = camera_kinematics_back(turn, (T3d){s->up[0], s->up[1], s->up[2]});
-      ux = values_1.f0;
-      uy = values_1.f1;
-      uz = values_1.f2;
-    } else {
-      ux = settings->up[0];
-      uy = settings->up[1];
-      uz = settings->up[2];
-    }
-  }
-  if (ux == 0.0 && uy == 0.0 && uz == 0.0) {
-    ux = ax;
-    uy = ay;
-    uz = az;
-    if (!(fabs(sqrt(ax * ax + ay * ay + az * az) - settings->g) <= camera_gravity_AT_REST * settings->g)) {
-      return;
-    }
-  }
-  size = sqrt(ux * ux + uy * uy + uz * uz);
-  s->up[0] = ux / size;
-  s->up[1] = uy / size;
-  s->up[2] = uz / size;
-  s->started = 1.0;
-  s->t = t;
-  s->wx = wx;
-  s->wy = wy;
-  s->wz = wz;
-  for (int64_t i = 0; i < 6; i++) {
-    out.p[i] = row.p[i];
-  }
-  for (int64_t i = 0; i < 3; i++) {
-    out.p[6 + i] = row.p[6 + i] - settings->g * s->up[i];
-  }
-}
-
 /* (p, v) after ``h`` s without acceleration: p - h v and v, in the rotated frame. */
 T2_T3d_ camera_kinematics_carried(T3d p, T3d v, double h, T3d turn) {
   double px, py, pz, vx, vy, vz;
@@ -347,13 +288,10 @@ WIDE void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, do
   }
 }
 
-/* A state (p, v) and its covariance after ``h`` s, with the ``acceleration`` before and after. */
-void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ acceleration, double gyro, double accel) {
-  T3d before, after;
-  before = acceleration.f0;
-  after = acceleration.f1;
+/* A state (p, v) and its covariance after ``h`` s, with the acceleration ``a`` before and after. */
+void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ a, double gyro, double accel) {
   camera_kinematics_carry(s, h, turn);
-  camera_kinematics_push(s, h, turn, before, after);
+  camera_kinematics_push(s, h, turn, a.f0, a.f1);
   camera_kinematics_turn_covariance(p, h, turn);
   camera_kinematics_add_noise(p, s, gyro, accel);
 }
@@ -605,6 +543,66 @@ void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, c
   }
 }
 
+/* A sample, then up there (NaN: not given): the sample without gravity into ``out``, or nothing. */
+void camera_samples_step(camera_samples_Memory * memory, Vector row, Vector out) {
+  camera_samples_Settings * settings;
+  camera_samples_State * s;
+  double t, wx, wy, wz, ax, ay, az, ux, uy, uz, h, size;
+  T3d turn;
+  settings = &memory->settings;
+  s = &memory->state;
+  t = row.p[0];
+  wx = row.p[3];
+  wy = row.p[4];
+  wz = row.p[5];
+  ax = row.p[6];
+  ay = row.p[7];
+  az = row.p[8];
+  if (!camera_samples_usable((camera_samples_CameraSample){t, row.p[1], row.p[2], wx, wy, wz, ax, ay, az}, s->started, s->t, settings->gap_s)) {
+    return;
+  }
+  ux = row.p[9];
+  uy = row.p[10];
+  uz = row.p[11];
+  if (ux != ux) {
+    if (s->started == 1.0) {
+      h = 0.5 * (t - s->t);
+      turn = (T3d){h * (s->wx + wx), h * (s->wy + wy), h * (s->wz + wz)};
+      T3d values_1 = camera_kinematics_back(turn, (T3d){s->up[0], s->up[1], s->up[2]});
+      ux = values_1.f0;
+      uy = values_1.f1;
+      uz = values_1.f2;
+    } else {
+      ux = settings->up[0];
+      uy = settings->up[1];
+      uz = settings->up[2];
+    }
+  }
+  if (ux == 0.0 && uy == 0.0 && uz == 0.0) {
+    ux = ax;
+    uy = ay;
+    uz = az;
+    if (!(fabs(sqrt(ax * ax + ay * ay + az * az) - settings->g) <= camera_samples_AT_REST * settings->g)) {
+      return;
+    }
+  }
+  size = sqrt(ux * ux + uy * uy + uz * uz);
+  s->up[0] = ux / size;
+  s->up[1] = uy / size;
+  s->up[2] = uz / size;
+  s->started = 1.0;
+  s->t = t;
+  s->wx = wx;
+  s->wy = wy;
+  s->wz = wz;
+  for (int64_t i = 0; i < 6; i++) {
+    out.p[i] = row.p[i];
+  }
+  for (int64_t i = 0; i < 3; i++) {
+    out.p[6 + i] = row.p[6 + i] - settings->g * s->up[i];
+  }
+}
+
 /* The known part of the image's motion: (x, y) eta + B w; the rest of (x, y)' is -d. */
 T2d camera_velocity_flow(double x, double y, double eta, double wx, double wy, double wz) {
   double flow_x, flow_y;
@@ -634,30 +632,28 @@ void camera_velocity_predict(camera_velocity_State * s, double density, double e
   s->p11 += density * h;
 }
 
-/* One ``FlowRow``: t, d_x, d_y and their standard deviation, 1/s. */
-T4d camera_velocity_step(camera_velocity_Memory * memory, T7d row) {
+/* A ``CameraSample``, then the observer's eta: t, d_x, d_y and their spread, 1/s, into ``out``. */
+void camera_velocity_step(camera_velocity_Memory * memory, Vector row, Vector out) {
   camera_velocity_Settings * settings;
   camera_velocity_State * s;
-  double t, x, y, eta, wx, wy, wz, total, near, far, ex, ey;
-  bool image;
+  double t, wx, wy, wz, eta, x, y, total, near, far, ex, ey;
+  bool image, known;
   settings = &memory->settings;
   s = &memory->state;
-  camera_velocity_FlowRow values_1 = camera_velocity_FlowRow_of_T7d(row);
-  t = values_1.t;
-  x = values_1.x;
-  y = values_1.y;
-  eta = values_1.eta;
-  wx = values_1.wx;
-  wy = values_1.wy;
-  wz = values_1.wz;
-  if (!(fabs(t) <= records_LATEST_S) || (s->started == 1.0 && !(t > s->t))) {
-    return (T4d){NAN, NAN, NAN, NAN};
+  t = row.p[0];
+  wx = row.p[3];
+  wy = row.p[4];
+  wz = row.p[5];
+  eta = row.p[9];
+  if (!camera_samples_usable((camera_samples_CameraSample){t, row.p[1], row.p[2], wx, wy, wz, row.p[6], row.p[7], row.p[8]}, s->started, s->t, camera_velocity_EVER_S)) {
+    return;
   }
+  x = row.p[1] / settings->focal_px;
+  y = row.p[2] / settings->focal_px;
+  out.p[0] = t;
   image = x == x;
-  if (eta != eta) {
-    return (T4d){t, s->imaged == 0.0 ? NAN : s->dx, s->imaged == 0.0 ? NAN : s->dy, sqrt(s->p11)};
-  }
-  if (s->imaged == 1.0) {
+  known = eta == eta;
+  if (known && s->imaged == 1.0) {
     camera_velocity_predict(s, settings->density, eta, wx, wy, wz, t - s->t);
     if (image) {
       total = s->p00 + settings->noise;
@@ -673,29 +669,34 @@ T4d camera_velocity_step(camera_velocity_Memory * memory, T7d row) {
       s->p01 *= 1.0 - near;
       s->p00 *= 1.0 - near;
     }
-  } else if (image) {
+  } else if (known && image) {
     s->imaged = 1.0;
     s->x = x;
     s->y = y;
     s->p00 = settings->noise;
     s->p11 = square(camera_velocity_SPREAD_START);
   }
-  s->started = 1.0;
-  s->t = t;
-  T2d values_2 = camera_velocity_flow(s->x, s->y, eta, wx, wy, wz);
-  s->kx = values_2.f0;
-  s->ky = values_2.f1;
-  if (s->imaged == 0.0) {
-    return (T4d){t, NAN, NAN, NAN};
+  if (known) {
+    s->started = 1.0;
+    s->t = t;
+    T2d values_1 = camera_velocity_flow(s->x, s->y, eta, wx, wy, wz);
+    s->kx = values_1.f0;
+    s->ky = values_1.f1;
   }
-  return (T4d){t, s->dx, s->dy, sqrt(s->p11)};
+  if (s->imaged == 1.0) {
+    out.p[1] = s->dx;
+    out.p[2] = s->dy;
+    out.p[3] = sqrt(s->p11);
+  }
 }
 
-/* A row of a table as a tuple. */
-T7d camera_velocity_row_at(Table rows, int64_t i) {
-  Vector r;
-  r = (Vector){rows.p + i * rows.m, rows.m};
-  return (T7d){r.p[0], r.p[1], r.p[2], r.p[3], r.p[4], r.p[5], r.p[6]};
+void loop__camera_samples_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
+  for (int64_t i = 0; i < rows.n; i++) {
+    if (begin.p[i]) {
+      fill((Vector){memory.p + first, memory.n - first}, 0.0);
+    }
+    camera_samples_step((camera_samples_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
+  }
 }
 
 void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
@@ -704,15 +705,6 @@ void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Tab
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
     camera_depth_step((camera_depth_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
-  }
-}
-
-void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
-  for (int64_t i = 0; i < rows.n; i++) {
-    if (begin.p[i]) {
-      fill((Vector){memory.p + first, memory.n - first}, 0.0);
-    }
-    camera_gravity_step((camera_gravity_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
   }
 }
 
@@ -725,16 +717,11 @@ void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector beg
   }
 }
 
-void loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
-  T4d answer;
+void loop__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out) {
   for (int64_t i = 0; i < rows.n; i++) {
     if (begin.p[i]) {
-      stage_learn_nothing(memory);
       fill((Vector){memory.p + first, memory.n - first}, 0.0);
     }
-    answer = camera_velocity_step((camera_velocity_Memory *)memory.p, camera_velocity_row_at(rows, i));
-    for (int64_t j = 0; j < 4; j++) {
-      out.p[i * out.m + j] = ((const double *)&answer)[j];
-    }
+    camera_velocity_step((camera_velocity_Memory *)memory.p, (Vector){rows.p + i * rows.m, rows.m}, (Vector){out.p + i * out.m, out.m});
   }
 }

@@ -95,9 +95,6 @@ typedef struct { double f0; double f1; double f2; double f3; double f4; } T5d;
 typedef struct { double t; double x; double y; double wx; double wy; double wz; double ax; double ay; double az; } camera_samples_CameraSample;
 typedef struct { double f0; double f1; double f2; } T3d;
 typedef struct { T3d f0; T3d f1; } T2_T3d_;
-typedef struct { double f0; double f1; double f2; double f3; } T4d;
-typedef struct { double f0; double f1; double f2; double f3; double f4; double f5; double f6; } T7d;
-typedef struct { double t; double x; double y; double eta; double wx; double wy; double wz; } camera_velocity_FlowRow;
 typedef struct { Vector codes; Table inner; Table change; Table shown; Table missing; Vector start; Vector valued; Vector first; } interconnected_persidskii_law_Matrices;
 typedef struct { Vector clock; Vector both; Vector total; Vector stage; Vector change; Vector first; Vector nonlinear; Vector absent; } interconnected_persidskii_law_State;
 typedef struct { interconnected_persidskii_law_Matrices f0; interconnected_persidskii_law_State f1; } T_interconnected_persidskii_law_Matrices__interconnected_persidskii_law_State_;
@@ -129,23 +126,6 @@ typedef struct {
   camera_depth_Settings settings;
   camera_depth_State state;
 } camera_depth_Memory;
-typedef struct {
-  double g;
-  double up[3];
-  double gap_s;
-} camera_gravity_Settings;
-typedef struct {
-  double started;
-  double t;
-  double wx;
-  double wy;
-  double wz;
-  double up[3];
-} camera_gravity_State;
-typedef struct {
-  camera_gravity_Settings settings;
-  camera_gravity_State state;
-} camera_gravity_Memory;
 typedef struct {
   double m[6][6];
 } camera_kinematics_Matrix;
@@ -197,6 +177,23 @@ typedef struct {
   double running;
 } camera_point_filter_Answer;
 typedef struct {
+  double g;
+  double up[3];
+  double gap_s;
+} camera_samples_Settings;
+typedef struct {
+  double started;
+  double t;
+  double wx;
+  double wy;
+  double wz;
+  double up[3];
+} camera_samples_State;
+typedef struct {
+  camera_samples_Settings settings;
+  camera_samples_State state;
+} camera_samples_Memory;
+typedef struct {
   double started;
   double t;
   double imaged;
@@ -211,6 +208,7 @@ typedef struct {
   double p11;
 } camera_velocity_State;
 typedef struct {
+  double focal_px;
   double noise;
   double density;
 } camera_velocity_Settings;
@@ -238,12 +236,10 @@ typedef struct {
   double steepest;
   double rest[];
 } regressors_gradient_Memory;
-static inline camera_velocity_FlowRow camera_velocity_FlowRow_of_T7d(T7d value) { return (camera_velocity_FlowRow){value.f0, value.f1, value.f2, value.f3, value.f4, value.f5, value.f6}; }
 void camera_depth_carry(camera_depth_State * state, camera_depth_Measured m, double dt);
 bool camera_depth_inside(camera_depth_Memory * memory, double zero, double eta);
 T2d camera_depth_rate(double chi, double r, camera_depth_Measured m, double dwx, double dwy);
 void camera_depth_step(camera_depth_Memory * memory, Vector row, Vector out);
-void camera_gravity_step(camera_gravity_Memory * memory, Vector row, Vector out);
 void camera_kinematics_add_noise(camera_kinematics_Matrix * p, Vector s, double gyro, double accel);
 T3d camera_kinematics_back(T3d turn, T3d vector);
 void camera_kinematics_begin_start(camera_kinematics_Start * s);
@@ -251,7 +247,7 @@ T2_T3d_ camera_kinematics_carried(T3d p, T3d v, double h, T3d turn);
 void camera_kinematics_carry(Vector s, double h, T3d turn);
 void camera_kinematics_carry_column(camera_kinematics_Matrix * phi, int64_t i, double h, T3d turn);
 bool camera_kinematics_factor(camera_kinematics_Matrix * lower);
-void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ acceleration, double gyro, double accel);
+void camera_kinematics_propagate(Vector s, camera_kinematics_Matrix * p, double h, T3d turn, T2_T3d_ a, double gyro, double accel);
 void camera_kinematics_push(Vector s, double h, T3d turn, T3d before, T3d after);
 void camera_kinematics_solve(camera_kinematics_Matrix * lower, Vector v);
 bool camera_kinematics_started(camera_kinematics_Start * s, Vector state, camera_kinematics_Matrix * spread, double variance, double share);
@@ -261,11 +257,11 @@ void camera_point_filter_correct(camera_point_filter_State * s, double noise, do
 void camera_point_filter_look(camera_point_filter_Memory * memory, double x, double y);
 void camera_point_filter_predict(camera_point_filter_Memory * memory, double dt, T3d w, T3d a);
 void camera_point_filter_step(camera_point_filter_Memory * memory, Vector row, camera_point_filter_Answer * out);
+void camera_samples_step(camera_samples_Memory * memory, Vector row, Vector out);
 bool camera_samples_usable(camera_samples_CameraSample sample, double started, double last_t, double gap_s);
 T2d camera_velocity_flow(double x, double y, double eta, double wx, double wy, double wz);
 void camera_velocity_predict(camera_velocity_State * s, double density, double eta, double wx, double wy, double wz, double h);
-T7d camera_velocity_row_at(Table rows, int64_t i);
-T4d camera_velocity_step(camera_velocity_Memory * memory, T7d row);
+void camera_velocity_step(camera_velocity_Memory * memory, Vector row, Vector out);
 int64_t interconnected_persidskii_law_advance(interconnected_persidskii_law_Memory * memory, interconnected_persidskii_law_Matrices m, interconnected_persidskii_law_State s, Vector row);
 double interconnected_persidskii_law_along(double total, Vector row, Vector vector);
 double interconnected_persidskii_law_along_all(Vector row, Vector w, Vector nonlinear, Vector inputs);
@@ -279,9 +275,9 @@ void interconnected_persidskii_law_replace(interconnected_persidskii_law_Matrice
 void interconnected_persidskii_law_slope(interconnected_persidskii_law_Matrices m, Vector w, Vector inputs, Vector nonlinear, Vector to);
 int64_t interconnected_persidskii_law_step(interconnected_persidskii_law_Memory * memory, Vector row, Vector out);
 void loop__camera_depth_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-void loop__camera_gravity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 void loop__camera_point_filter_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
-void loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
+void loop__camera_samples_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
+void loop__camera_velocity_step(Vector memory, int64_t first, FlagVector begin, Table rows, Table out);
 bool plants_boxes_weigh(Table axes, Vector p, Vector weights);
 static inline double plants_nonlinearity_value(double code, double s);
 void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
@@ -293,7 +289,6 @@ regressors_gradient_Sample regressors_gradient_sample_of(Vector numbers, int64_t
 void regressors_gradient_slope(double code, regressors_gradient_Parts s);
 double regressors_gradient_steepness(Table d, Table gain);
 int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row, Vector out);
-static inline void stage_learn_nothing(Vector memory);
 void unknown_input_stage_estimated(Vector block, Table ends, double s, Table space);
 bool unknown_input_stage_mix(Table corners, Table axes, Vector p, Vector weights, Vector block);
 void unknown_input_stage_push(Vector block, Table c, Table ends, double s, int64_t part, double h, Table space);
@@ -321,9 +316,5 @@ static inline double plants_nonlinearity_value(double code, double s) {
     return s * s * s;
   }
   return s;
-}
-
-/* What most stages do when a movement ends. */
-static inline void stage_learn_nothing(Vector memory) {
 }
 #endif

@@ -117,27 +117,6 @@ static PyObject *give_T2_T3d_(T2_T3d_ value) {
   PyTuple_SetItem(tuple, 1, give_T3d(value.f1));
   return tuple;
 }
-static PyObject *give_T7d(T7d value) {
-  PyObject *tuple = PyTuple_New(7);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
-  PyTuple_SetItem(tuple, 4, PyFloat_FromDouble(value.f4));
-  PyTuple_SetItem(tuple, 5, PyFloat_FromDouble(value.f5));
-  PyTuple_SetItem(tuple, 6, PyFloat_FromDouble(value.f6));
-  return tuple;
-}
-static PyObject *give_T4d(T4d value) {
-  PyObject *tuple = PyTuple_New(4);
-  if (tuple == NULL) return NULL;
-  PyTuple_SetItem(tuple, 0, PyFloat_FromDouble(value.f0));
-  PyTuple_SetItem(tuple, 1, PyFloat_FromDouble(value.f1));
-  PyTuple_SetItem(tuple, 2, PyFloat_FromDouble(value.f2));
-  PyTuple_SetItem(tuple, 3, PyFloat_FromDouble(value.f3));
-  return tuple;
-}
 static PyObject *py_camera_depth_carry(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.depth:carry";
   Held held;
@@ -230,27 +209,6 @@ static PyObject *py_camera_depth_step(PyObject *self, PyObject *const *args, Py_
         && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
   camera_depth_step(a0, a1, a2);
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
-static PyObject *py_camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.gravity:step";
-  Held held;
-  const Py_buffer *view;
-  camera_gravity_Memory * a0;
-  Vector a1;
-  Vector a2;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 3)
-        && take_memory(&held, args[0], law, "memory", true, 13, &view)
-        && (a0 = view->buf, true)
-        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
-        && (a1 = (Vector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
-        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
-    return let_go(&held);
-  camera_gravity_step(a0, a1, a2);
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -429,12 +387,12 @@ static PyObject *py_camera_kinematics_propagate(PyObject *self, PyObject *const 
         && take_double(PyTuple_GetItem(args[3], 0), &a3.f0)
         && take_double(PyTuple_GetItem(args[3], 1), &a3.f1)
         && take_double(PyTuple_GetItem(args[3], 2), &a3.f2)
-        && take_tuple(args[4], law, "acceleration", 2)
-        && take_tuple(PyTuple_GetItem(args[4], 0), law, "acceleration", 3)
+        && take_tuple(args[4], law, "a", 2)
+        && take_tuple(PyTuple_GetItem(args[4], 0), law, "a", 3)
         && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 0), &a4.f0.f0)
         && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 1), &a4.f0.f1)
         && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 0), 2), &a4.f0.f2)
-        && take_tuple(PyTuple_GetItem(args[4], 1), law, "acceleration", 3)
+        && take_tuple(PyTuple_GetItem(args[4], 1), law, "a", 3)
         && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 0), &a4.f1.f0)
         && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 1), &a4.f1.f1)
         && take_double(PyTuple_GetItem(PyTuple_GetItem(args[4], 1), 2), &a4.f1.f2)
@@ -657,6 +615,27 @@ static PyObject *py_camera_point_filter_step(PyObject *self, PyObject *const *ar
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
+static PyObject *py_camera_samples_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred_observers.camera.samples:step";
+  Held held;
+  const Py_buffer *view;
+  camera_samples_Memory * a0;
+  Vector a1;
+  Vector a2;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", true, 13, &view)
+        && (a0 = view->buf, true)
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
+    return let_go(&held);
+  camera_samples_step(a0, a1, a2);
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
 static PyObject *py_camera_samples_usable(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.samples:usable";
   Held held;
@@ -739,49 +718,26 @@ static PyObject *py_camera_velocity_predict(PyObject *self, PyObject *const *arg
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_camera_velocity_row_at(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred_observers.camera.velocity:row_at";
-  Held held;
-  const Py_buffer *view;
-  Table a0;
-  int64_t a1;
-  T7d result;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_array(&held, args[0], law, "rows", 'd', 2, false, &view)
-        && (a0 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a0.m, 7)
-        && take_int64_t(args[1], &a1)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS result = camera_velocity_row_at(a0, a1); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return give_T7d(result);
-}
 static PyObject *py_camera_velocity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.camera.velocity:step";
   Held held;
   const Py_buffer *view;
   camera_velocity_Memory * a0;
-  T7d a1;
-  T4d result;
+  Vector a1;
+  Vector a2;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
-        && take_memory(&held, args[0], law, "memory", true, 14, &view)
+  if (!(counted(law, count, 3)
+        && take_memory(&held, args[0], law, "memory", true, 15, &view)
         && (a0 = view->buf, true)
-        && take_tuple(args[1], law, "row", 7)
-        && take_double(PyTuple_GetItem(args[1], 0), &a1.f0)
-        && take_double(PyTuple_GetItem(args[1], 1), &a1.f1)
-        && take_double(PyTuple_GetItem(args[1], 2), &a1.f2)
-        && take_double(PyTuple_GetItem(args[1], 3), &a1.f3)
-        && take_double(PyTuple_GetItem(args[1], 4), &a1.f4)
-        && take_double(PyTuple_GetItem(args[1], 5), &a1.f5)
-        && take_double(PyTuple_GetItem(args[1], 6), &a1.f6)))
+        && take_array(&held, args[1], law, "row", 'd', 1, false, &view)
+        && (a1 = (Vector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[2], law, "out", 'd', 1, true, &view)
+        && (a2 = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  result = camera_velocity_step(a0, a1);
+  camera_velocity_step(a0, a1, a2);
   let_go(&held);
-  return give_T4d(result);
+  return (Py_IncRef(Py_None), Py_None);
 }
 static PyObject *py_interconnected_persidskii_law_advance(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred_observers.interconnected.persidskii_law:advance";
@@ -1228,32 +1184,6 @@ static PyObject *py_loop__camera_depth_step(PyObject *self, PyObject *const *arg
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_loop__camera_gravity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)";
-  Held held;
-  const Py_buffer *view;
-  Vector a0;
-  int64_t a1;
-  FlagVector a2;
-  Table a3;
-  Table a4;
-  (void)self, (void)view;
-  held.count = 0;
-  if (!(counted(law, count, 5)
-        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
-        && (a0 = (Vector){view->buf, view->shape[0]}, true)
-        && take_int64_t(args[1], &a1)
-        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
-        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
-        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
-        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
-        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
-    return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS loop__camera_gravity_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
-  let_go(&held);
-  return (Py_IncRef(Py_None), Py_None);
-}
 static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
   static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)";
   Held held;
@@ -1280,8 +1210,8 @@ static PyObject *py_loop__camera_point_filter_step(PyObject *self, PyObject *con
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
-static PyObject *py_loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
-  static const char law[] = "pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.velocity:row_at) (pointpred_observers.camera.velocity:step)";
+static PyObject *py_loop__camera_samples_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.samples:step)";
   Held held;
   const Py_buffer *view;
   Vector a0;
@@ -1299,11 +1229,36 @@ static PyObject *py_loop__stage_learn_nothing__camera_velocity_row_at__camera_ve
         && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
         && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
         && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
-        && has_columns(law, "rows", a3.m, 7)
         && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
         && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS loop__camera_samples_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
+  let_go(&held);
+  return (Py_IncRef(Py_None), Py_None);
+}
+static PyObject *py_loop__camera_velocity_step(PyObject *self, PyObject *const *args, Py_ssize_t count) {
+  static const char law[] = "pointpred.stage:loop_into (pointpred_observers.camera.velocity:step)";
+  Held held;
+  const Py_buffer *view;
+  Vector a0;
+  int64_t a1;
+  FlagVector a2;
+  Table a3;
+  Table a4;
+  (void)self, (void)view;
+  held.count = 0;
+  if (!(counted(law, count, 5)
+        && take_array(&held, args[0], law, "memory", 'd', 1, true, &view)
+        && (a0 = (Vector){view->buf, view->shape[0]}, true)
+        && take_int64_t(args[1], &a1)
+        && take_array(&held, args[2], law, "begin", 'b', 1, false, &view)
+        && (a2 = (FlagVector){view->buf, view->shape[0]}, true)
+        && take_array(&held, args[3], law, "rows", 'd', 2, false, &view)
+        && (a3 = (Table){view->buf, view->shape[0], view->shape[1]}, true)
+        && take_array(&held, args[4], law, "out", 'd', 2, true, &view)
+        && (a4 = (Table){view->buf, view->shape[0], view->shape[1]}, true)))
+    return let_go(&held);
+  Py_BEGIN_ALLOW_THREADS loop__camera_velocity_step(a0, a1, a2, a3, a4); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }
@@ -1619,7 +1574,6 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.camera.depth:inside", (PyCFunction)(void (*)(void))py_camera_depth_inside, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:rate", (PyCFunction)(void (*)(void))py_camera_depth_rate, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.depth:step", (PyCFunction)(void (*)(void))py_camera_depth_step, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.gravity:step", (PyCFunction)(void (*)(void))py_camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:add_noise", (PyCFunction)(void (*)(void))py_camera_kinematics_add_noise, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:back", (PyCFunction)(void (*)(void))py_camera_kinematics_back, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.kinematics:begin_start", (PyCFunction)(void (*)(void))py_camera_kinematics_begin_start, METH_FASTCALL, NULL},
@@ -1637,10 +1591,10 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.camera.point_filter:look", (PyCFunction)(void (*)(void))py_camera_point_filter_look, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:predict", (PyCFunction)(void (*)(void))py_camera_point_filter_predict, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.point_filter:step", (PyCFunction)(void (*)(void))py_camera_point_filter_step, METH_FASTCALL, NULL},
+  {"pointpred_observers.camera.samples:step", (PyCFunction)(void (*)(void))py_camera_samples_step, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.samples:usable", (PyCFunction)(void (*)(void))py_camera_samples_usable, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.velocity:flow", (PyCFunction)(void (*)(void))py_camera_velocity_flow, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.velocity:predict", (PyCFunction)(void (*)(void))py_camera_velocity_predict, METH_FASTCALL, NULL},
-  {"pointpred_observers.camera.velocity:row_at", (PyCFunction)(void (*)(void))py_camera_velocity_row_at, METH_FASTCALL, NULL},
   {"pointpred_observers.camera.velocity:step", (PyCFunction)(void (*)(void))py_camera_velocity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:advance", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_advance, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:along", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_along, METH_FASTCALL, NULL},
@@ -1654,9 +1608,9 @@ static PyMethodDef methods[] = {
   {"pointpred_observers.interconnected.persidskii_law:slope", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_slope, METH_FASTCALL, NULL},
   {"pointpred_observers.interconnected.persidskii_law:step", (PyCFunction)(void (*)(void))py_interconnected_persidskii_law_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.depth:step)", (PyCFunction)(void (*)(void))py_loop__camera_depth_step, METH_FASTCALL, NULL},
-  {"pointpred.stage:loop_into (pointpred_observers.camera.gravity:step)", (PyCFunction)(void (*)(void))py_loop__camera_gravity_step, METH_FASTCALL, NULL},
   {"pointpred.stage:loop_into (pointpred_observers.camera.point_filter:step)", (PyCFunction)(void (*)(void))py_loop__camera_point_filter_step, METH_FASTCALL, NULL},
-  {"pointpred.stage:loop_of (pointpred.stage:learn_nothing) (pointpred_observers.camera.velocity:row_at) (pointpred_observers.camera.velocity:step)", (PyCFunction)(void (*)(void))py_loop__stage_learn_nothing__camera_velocity_row_at__camera_velocity_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_into (pointpred_observers.camera.samples:step)", (PyCFunction)(void (*)(void))py_loop__camera_samples_step, METH_FASTCALL, NULL},
+  {"pointpred.stage:loop_into (pointpred_observers.camera.velocity:step)", (PyCFunction)(void (*)(void))py_loop__camera_velocity_step, METH_FASTCALL, NULL},
   {"pointpred_observers.plants.boxes:weigh", (PyCFunction)(void (*)(void))py_plants_boxes_weigh, METH_FASTCALL, NULL},
   {"pointpred_observers.plants.nonlinearity:value", (PyCFunction)(void (*)(void))py_plants_nonlinearity_value, METH_FASTCALL, NULL},
   {"pointpred_observers.regressors.gradient:bend", (PyCFunction)(void (*)(void))py_regressors_gradient_bend, METH_FASTCALL, NULL},

@@ -30,14 +30,14 @@ def matrix(name: str, value: Any, rows: int | None = None, columns: int | None =
     try:
         received = np.asarray(value)
         if np.iscomplexobj(received):
-            raise _wrong(name, "must be real", value)
+            raise wrong(name, "must be real", value)
         entries = np.array(received, np.float64)
     except (TypeError, ValueError) as unusable:
         if isinstance(unusable, ParameterError):
             raise
-        raise _wrong(name, "must be a matrix of numbers", value) from unusable
+        raise wrong(name, "must be a matrix of numbers", value) from unusable
     if not np.isfinite(entries).all():
-        raise _wrong(name, "must be finite", value)
+        raise wrong(name, "must be finite", value)
     if entries.ndim == 0:
         entries = entries.reshape(1, 1)
     elif entries.ndim == 1:
@@ -77,14 +77,14 @@ def positive(name: str, value: Any, *, zero: bool = False) -> float:
     """A finite number above 0 (or not below it); raises ParameterError, also for text and complex numbers."""
     if not is_number(value) or not 0.0 <= value < np.inf or (value == 0.0 and not zero):
         bound = "not below" if zero else "above"
-        raise _wrong(name, f"must be finite and {bound} 0", value)
+        raise wrong(name, f"must be finite and {bound} 0", value)
     return float(value)
 
 
 def share(name: str, value: Any) -> float:
     """A number within (0, 1); raises ParameterError."""
     if not is_number(value) or not 0.0 < value < 1.0:
-        raise _wrong(name, "must lie in (0, 1)", value)
+        raise wrong(name, "must lie in (0, 1)", value)
     return float(value)
 
 
@@ -93,9 +93,9 @@ def vector(name: str, value: Any, size: int) -> FloatArray:
     try:
         numbers = np.atleast_1d(np.asarray(value, np.float64))
     except (TypeError, ValueError) as unusable:
-        raise _wrong(name, f"must be {size} numbers", value) from unusable
+        raise wrong(name, f"must be {size} numbers", value) from unusable
     if numbers.shape != (size,):
-        raise _wrong(name, f"must be {size} numbers", value)
+        raise wrong(name, f"must be {size} numbers", value)
     return numbers
 
 
@@ -113,16 +113,17 @@ def one_of(name: str, value: Any, options: Sequence[str]) -> str:
     """The value, which must be one of these words; raises ParameterError."""
     if not isinstance(value, str) or value not in options:
         words = " or ".join(map(repr, options)) if len(options) == 2 else f"one of {', '.join(options)}"
-        raise _wrong(name, f"must be {words}", value)
+        raise wrong(name, f"must be {words}", value)
     return value
 
 
 def listed(name: str, value: Any) -> Sequence[Any]:
     """The values of a list, or of anything else that holds several in order; raises ParameterError."""
     if isinstance(value, str | dict) or not isinstance(value, Iterable):
-        raise _wrong(name, "must be a list", value)
+        raise wrong(name, "must be a list", value)
     return list(value)
 
 
-def _wrong(name: str, must: str, value: Any) -> ParameterError:
+def wrong(name: str, must: str, value: Any) -> ParameterError:
+    """The error for a value that is not what its name must be."""
     return ParameterError(f"{name} {must}, received {value!r}", field=name, value=value)

@@ -14,7 +14,7 @@ from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray, FloatTable
 from pointpred_observers.numerics import equalities
-from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.numerics.matrices import matrix, wrong
 
 Point = Mapping[str, float]
 Scheduled = Callable[[Point], FloatArray]
@@ -26,8 +26,7 @@ BORDER = 1e-9
 NO_DIFFERENCE = 1e-9
 """A difference below this share of the largest value of the same entry counts as none."""
 CANCELLED = 4.0 * equalities.REMAINDER
-"""The same beside the terms of a computed entry: one below ``equalities.REMAINDER`` of them may have been set
-to zero at any of the points."""
+"""The same beside the terms of a computed entry, of which a small share may have been set to zero."""
 POINTS = 16
 SEED = 20211217
 
@@ -78,9 +77,7 @@ class Box:
 
     def __init__(self, bounds: Mapping[str, tuple[float, float]]) -> None:
         if not isinstance(bounds, Mapping):
-            raise ParameterError(
-                f"a box needs (low, high) by name, received {bounds!r}", field="bounds", value=bounds
-            )
+            raise wrong("bounds", "needs (low, high) by name", bounds)
         if not bounds:
             raise ParameterError("a box needs at least one axis, received none")
         self.bounds = {name: _interval(name, pair) for name, pair in bounds.items()}
@@ -128,7 +125,7 @@ class Box:
         for name, (low, high) in self.bounds.items():
             value = self._value(point, name)
             if value != value:
-                raise ParameterError(f"{name} must be a number, received {value!r}", field=name, value=value)
+                raise wrong(name, "must be a number", value)
             place[name] = min(max(value, low), high)
         return place
 
@@ -136,19 +133,14 @@ class Box:
         """The weight of each vertex at a point; raises ParameterError for a point outside."""
         for name in self.outside(point):
             low, high = self.bounds[name]
-            raise ParameterError(
-                f"{name} must lie in [{low:g}, {high:g}], received {point[name]!r}",
-                field=name,
-                value=point[name],
-            )
-        weights = np.zeros(len(self.vertices))
-        weigh(self.axes, np.array([point[name] for name in self.names], np.float64), weights)
+            raise wrong(name, f"must lie in [{low:g}, {high:g}]", point[name])
+        weights, values = np.zeros(len(self.vertices)), np.array([point[name] for name in self.names])
+        weigh(self.axes, values.astype(np.float64), weights)
         return weights
 
     def mixed(self, matrices: FloatArray, point: Point) -> FloatArray:
         """The matrix at a point of the box from those at its vertices, (vertices, rows, columns)."""
-        mixed: FloatArray = np.tensordot(self.weights(point), matrices, 1)
-        return mixed
+        return np.asarray(np.tensordot(self.weights(point), matrices, 1))
 
     def _value(self, point: Point, name: str) -> float:
         if name not in point:
@@ -160,23 +152,18 @@ def _interval(name: str, pair: tuple[float, float]) -> tuple[float, float]:
     try:
         low, high = pair
     except (TypeError, ValueError) as unusable:
-        raise ParameterError(
-            f"{name} needs (low, high), received {pair!r}", field=name, value=pair
-        ) from unusable
+        raise wrong(name, "needs (low, high)", pair) from unusable
     if not (is_number(low) and is_number(high) and isfinite(low) and isfinite(high)):
-        raise ParameterError(f"{name} needs two finite numbers, received {pair!r}", field=name, value=pair)
+        raise wrong(name, "needs two finite numbers", pair)
     if low > high:
-        raise ParameterError(f"{name} needs low <= high, received {pair!r}", field=name, value=pair)
+        raise wrong(name, "needs low <= high", pair)
     return float(low), float(high)
 
 
 def scheduled(name: str, given: Any) -> Scheduled:
     """A matrix as a function of the scheduling variables; an array is the same everywhere."""
-    if callable(given):
-        function: Scheduled = given
-        return function
-    constant = matrix(name, given)
-    return lambda point: constant
+    constant = None if callable(given) else matrix(name, given)
+    return given if constant is None else lambda point: constant
 
 
 def at_vertices(function: Scheduled, box: Box, name: str, terms: Scheduled | None = None) -> FloatArray:
@@ -191,12 +178,8 @@ def at_vertices(function: Scheduled, box: Box, name: str, terms: Scheduled | Non
     place = difference(np.array([box.mixed(found, point) for point in inside]), values, found, beside)
     if place is not None:
         row, column, error = place
-        raise ParameterError(
-            f"{name} must be affine in each variable; it is off by {error:.3g} in row {row + 1}, "
-            f"column {column + 1}: make an expression that is not a variable of its own, and 0 of "
-            "what is only rounding",
-            field=name,
-        )
+        place_text = f"{error:.3g} in row {row + 1}, column {column + 1}"
+        raise ParameterError(f"{name} must be affine in each variable; it is off by {place_text}", field=name)
     return found
 
 

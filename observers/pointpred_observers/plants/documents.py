@@ -20,16 +20,18 @@ from pointpred_observers.plants.entries import (
     fields_of,
     finite,
     named,
+    parsed,
     restored,
+    symbols_of,
+    text_of,
     unbounded,
 )
-from pointpred_observers.plants.expressions import parsed, symbols_of, text_of
 from pointpred_observers.plants.generator import Generator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.plants.nonlinearity import KNOWN, NAMED, Nonlinearity
 from pointpred_observers.plants.persidskii import NAMES, Persidskii
-from pointpred_observers.plants.polynomials import Free
 from pointpred_observers.plants.symbolic import (
+    Free,
     SymbolicGenerator,
     SymbolicSteadyState,
     SymbolicSystem,
@@ -74,9 +76,7 @@ class PlantDocument(Document, tag="plant", frozen=True):
         return Persidskii(
             **{name: restored(name, getattr(self, name), functions) for name in NAMES},
             f=restored("f", self.f, functions),
-            slopes=None
-            if self.slopes is None
-            else [(-np.inf if a is None else a, unbounded(b)) for a, b in self.slopes],
+            slopes=self.slopes and [(-np.inf if a is None else a, unbounded(b)) for a, b in self.slopes],
             time=self.time,
             domain=unbounded(self.domain),
         )
@@ -123,52 +123,28 @@ class ParameterVaryingDocument(Document, tag="parameter-varying plant", frozen=T
     @classmethod
     def of(cls, thing: CornerSystem) -> Self:
         """The document of a system that is known by its corners."""
-        held = {name: one.tolist() for name, one in thing.corners.items()}
-        time: Any = thing.time
-        return cls(
-            box=dict(thing.box.bounds),
-            corners=[
-                Corner(at=point, **{name: one[i] for name, one in held.items()})
-                for i, point in enumerate(thing.box.corners)
-            ],
-            C=entries(thing.c),
-            rates=dict(thing.rates) or None,
-            sizes=None if thing.sizes is None else thing.sizes.tolist(),
-            time=time,
-        )
+        corners = [
+            Corner(at=point, **{name: entries(one[i]) for name, one in thing.corners.items()})
+            for i, point in enumerate(thing.box.corners)
+        ]
+        given = fields_of(cls, thing) | {"box": dict(thing.box.bounds), "corners": corners}
+        return cls(**given | {"C": entries(thing.c), "rates": thing.rates or None})
 
     def made(self, functions: Functions) -> CornerSystem:
         """The system."""
-        box = Box(self.box)
-        ordered = [self._corner(point) for point in box.corners]
+        box, ordered = Box(self.box), []
+        for point in box.corners:
+            if not (found := [one for one in self.corners if one.at == point]):
+                raise ParameterError(f"the corner {point} of the box is missing", field="corners")
+            ordered.append(found[0])
         if len(self.corners) > len(ordered):
-            raise ParameterError(
-                f"the box has {len(ordered)} corners, received {len(self.corners)}", field="corners"
-            )
-        decoupled = [one.TA for one in ordered]
-        if any(one is None for one in decoupled) and any(one is not None for one in decoupled):
+            words = f"the box has {len(ordered)} corners, received {len(self.corners)}"
+            raise ParameterError(words, field="corners")
+        if len({one.TA is None for one in ordered}) > 1:
             raise ParameterError("TA is given at some corners only: give it at all or at none", field="TA")
-        held: dict[str, list[Any]] = {"A": [one.A for one in ordered], "F": [one.F for one in ordered]}
-        if decoupled[0] is not None:
-            held["TA"] = decoupled
-        return CornerSystem(
-            box,
-            C=self.C,
-            **{name: _stacked(name, each) for name, each in held.items()},
-            rates=self.rates,
-            sizes=self.sizes,
-            time=self.time,
-        )
-
-    def _corner(self, point: dict[str, float]) -> Corner:
-        for one in self.corners:
-            if one.at == point:
-                return one
-        raise ParameterError(
-            f"the corner {point} of the box is missing: each variable at its low and at its high end, in all "
-            "combinations",
-            field="corners",
-        )
+        names = ("A", "F") if ordered[0].TA is None else ("A", "F", "TA")
+        held = {name: _stacked(name, [getattr(one, name) for one in ordered]) for name in names}
+        return CornerSystem(box, C=self.C, **held, rates=self.rates, sizes=self.sizes, time=self.time)
 
 
 class SymbolicPlantDocument(Document, tag="symbolic plant", frozen=True):
@@ -183,14 +159,9 @@ class SymbolicPlantDocument(Document, tag="symbolic plant", frozen=True):
 
     def made(self, functions: Functions) -> SymbolicSystem:
         """The plant."""
-        return SymbolicSystem(
-            symbols_of(self.states),
-            _read("field", self.field),
-            symbols_of((self.input,))[0],
-            zero=symbols_of(self.zero),
-            zero_field=_read("zero_field", self.zero_field),
-            outputs=_read("outputs", self.outputs),
-        )
+        x, u, z = symbols_of(self.states), symbols_of((self.input,))[0], symbols_of(self.zero)
+        field, eta, h = (_read(name, getattr(self, name)) for name in ("field", "zero_field", "outputs"))
+        return SymbolicSystem(x, field, u, zero=z, zero_field=eta, outputs=h)
 
 
 class SymbolicGeneratorDocument(Document, tag="symbolic generator", frozen=True):
@@ -225,33 +196,19 @@ class SteadyStateDocument(Document, tag="steady state", frozen=True):
     @classmethod
     def of(cls, thing: SymbolicSteadyState) -> Self:
         """The document of a steady state."""
-        return cls(
-            **fields_of(cls, msgspec.structs.replace(thing, generator=None, free=()))
-            | {
-                "plant": SymbolicPlantDocument.of(thing.system),
-                "generator": SymbolicGeneratorDocument.of(thing.generator),
-                "free": tuple(
-                    FreeTerms(one.degree, {name: text_of(term) for name, term in one.terms.items()})
-                    for one in thing.free
-                ),
-            }
-        )
+        free = [FreeTerms(one.degree, {x: text_of(e) for x, e in one.terms.items()}) for one in thing.free]
+        given = fields_of(cls, msgspec.structs.replace(thing, generator=None, free=tuple(free)))
+        plant, driving = SymbolicPlantDocument.of(thing.system), thing.generator
+        return cls(**given | {"plant": plant, "generator": SymbolicGeneratorDocument.of(driving)})
 
     def made(self, functions: Functions) -> SymbolicSteadyState:
         """The steady state; raises CertificateError naming an equation that does not hold."""
-        steady = check_steady_state(
-            self.plant.made(functions),
-            self.generator.made(functions),
-            _read("maps", self.maps),
-            parsed(self.input, "input"),
-            zero=_read("zero_maps", self.zero_maps),
-            degree=self.degree,
-        )
-        free = tuple(
-            Free(one.degree, {name: parsed(text, "free") for name, text in one.terms.items()})
-            for one in self.free
-        )
-        return msgspec.structs.replace(steady, degree=self.degree, free=free)
+        plant, generator = self.plant.made(functions), self.generator.made(functions)
+        maps, rho = _read("maps", self.maps), _read("zero_maps", self.zero_maps)
+        u = parsed(self.input, "input")
+        steady = check_steady_state(plant, generator, maps, u, zero=rho, degree=self.degree)
+        free = [Free(one.degree, {x: parsed(e, "free") for x, e in one.terms.items()}) for one in self.free]
+        return msgspec.structs.replace(steady, degree=self.degree, free=tuple(free))
 
 
 def functions_of(thing: Any) -> dict[str, Any]:
@@ -273,8 +230,7 @@ def _slopes(f: Nonlinearity) -> Any:
     """The slopes where they are not those of the names."""
     if f.slopes is None:
         return None
-    known = [KNOWN[NAMED[code]] for code in f.codes or ()]
-    if f.codes is not None and f.slopes == tuple((one.low, one.high) for one in known):
+    if f.codes is not None and f.slopes == tuple(KNOWN[NAMED[code]][1:] for code in f.codes):
         return None
     return [(finite(low), finite(high)) for low, high in f.slopes]
 
@@ -282,9 +238,8 @@ def _slopes(f: Nonlinearity) -> Any:
 def _stacked(name: str, matrices: list[Any]) -> Any:
     """The matrices of all corners; raises ParameterError where one has another shape."""
     tables = [matrix(name, one) for one in matrices]
-    shapes = [one.shape for one in tables]
-    if len(set(shapes)) > 1:
-        raise ParameterError(f"{name} needs the same shape at every corner, received {shapes}", field=name)
+    if len({one.shape for one in tables}) > 1:
+        raise ParameterError(f"{name} needs the same shape at every corner", field=name)
     return tables
 
 

@@ -1,8 +1,8 @@
-"""The generator (or the dynamic regulator) that drives a Persidskii plant."""
+"""The generator (or the dynamic regulator) that drives a Persidskii plant; both sampled."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, overload
 
 import msgspec
 import numpy as np
@@ -10,8 +10,8 @@ import numpy as np
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.equalities import TOLERANCE, column_units, share_of_terms, summed
-from pointpred_observers.numerics.matrices import TIMES, instance, matrix, one_of
-from pointpred_observers.plants.linear_systems import Plant, as_plant
+from pointpred_observers.numerics.matrices import TIMES, instance, matrix, one_of, positive
+from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.nonlinearity import NAMED, Nonlinearity, nonlinearity, same
 from pointpred_observers.plants.persidskii import Persidskii, column
 
@@ -79,15 +79,16 @@ class Generator:
             return self._fitted[1]
         given, plant, q = plant, as_plant(plant), self.q
         if self.time not in (None, plant.time):
-            raise ParameterError(
-                f"the generator is {self.time} and the plant {plant.time}: sample the continuous one, c2d",
-                field="time",
-            )
+            words = f"the generator is {self.time} and the plant {plant.time}: sample the continuous one, c2d"
+            raise ParameterError(words, field="time")
         own = [one.shape[1] for one in (self.S1, self.L1) if self.f is not None and one is not None]
         k = own[0] if own else plant.k
         m = plant.m
         needed = {"S1": (q, k), "G": (q, plant.p), "L0": (m, q), "L1": (m, k), "E": (q, plant.z)}
-        full = {name: _shaped(name, getattr(self, name), shape) for name, shape in needed.items()}
+        full = {
+            name: np.zeros(shape) if (one := getattr(self, name)) is None else matrix(name, one, *shape)
+            for name, shape in needed.items()
+        }
         j = None if self.J is None else matrix("J", self.J, plant.r if self.f is None else None, q)
         self._fitted = given, Fitted(q=q, S0=self.S0, J=j, **full)
         return self._fitted[1]
@@ -109,11 +110,8 @@ def require_same_nonlinearity(
     if generator.f is not None and used:
         widths = {one.shape[1] for one in used}
         if widths != {plant.k} or (any(one.any() for one in used) and not same(generator.f, plant.f)):
-            raise ParameterError(
-                f"the {name} has an f of its own, {_text(generator.f)}, and the plant {_text(plant.f)}: a "
-                f"proof needs one f for both, leave out that of the {name}",
-                field="f",
-            )
+            both = f"an f of its own, {_text(generator.f)}, and the plant {_text(plant.f)}"
+            raise ParameterError(f"the {name} has {both}: leave out that of the {name}", field="f")
     if Pi is None or generator.J is None:
         return
     left, terms = summed((matrix("J", generator.J, plant.r, Pi.shape[1]),), (-plant.H, Pi))
@@ -129,5 +127,51 @@ def _text(f: Nonlinearity) -> str:
     return ", ".join(dict.fromkeys(NAMED[code] for code in f.codes)) or "none"
 
 
-def _shaped(name: str, value: FloatArray | None, shape: tuple[int, int]) -> FloatArray:
-    return np.zeros(shape) if value is None else matrix(name, value, *shape)
+@overload
+def c2d(system: Generator, step_s: float, *, method: str = "zoh") -> Generator: ...
+@overload
+def c2d(system: Plant, step_s: float, *, method: str = "zoh") -> Persidskii: ...
+def c2d(system: Any, step_s: float, *, method: str = "zoh") -> Any:
+    """The discrete plant (or generator) whose next state is the state after ``step_s``.
+
+    ``"zoh"`` holds the inputs u, rho (y and rho of a generator), and the value of f, over the step: exact for
+    a linear plant under held inputs, else off by terms of step_s^2 each step, as f moves meanwhile.
+    ``"euler"`` is x + step_s x', off by terms of step_s^2 as well, and keeps the steady-state map: (3.3)
+    holds for the discrete pair with the same Pi. Slopes, domain, C0, C1, H, J, L0 and L1 stay.
+
+    zoh: (Ad Nd; 0 I) = exp(step_s (A0 N; 0 0)) with N = (A1 B Q) or (S1 G E).
+
+    Parameters: ``step_s`` in s, > 0. Raises ParameterError for a plant or a generator that is discrete, and
+    for matrices that vary.
+
+    >>> held = c2d(Persidskii([[-1.0]], None, None, "sin", B=[1.0]), 0.1)
+    >>> held.A0.round(6).tolist(), held.B.round(6).tolist(), held.time
+    ([[0.904837]], [[0.095163]], 'discrete')
+    """
+    step_s = positive("step_s", step_s)
+    one_of("method", method, ("zoh", "euler"))
+    given = system if isinstance(system, Generator) else constant(system, "c2d")
+    if given.time == "discrete":
+        kind = "generator" if isinstance(given, Generator) else "plant"
+        raise ParameterError(f"c2d needs a continuous {kind}, received a discrete one", field="system")
+    if isinstance(given, Generator):
+        held = {name: one for name in ("S1", "G", "E") if (one := getattr(given, name)) is not None}
+        s0, parts = _sampled(given.S0, list(held.values()), step_s, method)
+        driven: dict[str, Any] = dict(zip(held, parts, strict=True))
+        kept = {name: getattr(given, name) for name in ("J", "L0", "L1", "f")}
+        return Generator(s0, **driven, **kept, time="discrete")
+    a0, (a1, b, q) = _sampled(given.A0, [given.A1, given.B, given.Q], step_s, method)
+    outputs: dict[str, Any] = {"C0": given.C0, "C1": given.C1, "domain": given.domain}
+    return Persidskii(a0, a1, given.H, given.f, b, q, **outputs, time="discrete")
+
+
+def _sampled(
+    a: FloatArray, parts: list[FloatArray], step_s: float, method: Any
+) -> tuple[FloatArray, list[FloatArray]]:
+    from scipy.signal import cont2discrete
+
+    widths = np.cumsum([one.shape[1] for one in parts])[:-1]
+    drive, none = np.hstack([np.zeros((len(a), 0)), *parts]), np.zeros((0, len(a)))
+    system: Any = a, drive, none, np.zeros((0, drive.shape[1]))
+    held: Any = cont2discrete(system, step_s, method)
+    return np.asarray(held[0], np.float64), np.split(np.asarray(held[1], np.float64), widths, axis=1)

@@ -9,7 +9,7 @@ import numpy as np
 
 from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
-from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.numerics.matrices import matrix, wrong
 from pointpred_observers.plants.persidskii import Persidskii
 
 
@@ -38,24 +38,22 @@ def as_plant(system: Any) -> Persidskii:
     if isinstance(system, Persidskii):
         return system
     if not hasattr(system, "A") and hasattr(system, "to_ss"):
-        system = _realised(system)
+        try:
+            system = system.to_ss()
+        except (ValueError, TypeError, ArithmeticError, NotImplementedError) as failure:
+            words = f"a plant must have a state-space form, received a {type(system).__name__}: {failure}"
+            raise ParameterError(words, field="plant") from failure
     if not all(hasattr(system, name) for name in "ABCD"):
+        kinds = "a Persidskii system or a linear one with A, B, C and D, such as control.StateSpace"
         raise ParameterError(
-            "a plant must be a Persidskii system or a linear one with A, B, C and D, such as "
-            f"control.StateSpace or scipy.signal.StateSpace, received {type(system).__name__}",
-            field="plant",
-            value=system,
+            f"a plant must be {kinds}, received {type(system).__name__}", field="plant", value=system
         )
     a = matrix("A", system.A)
     if not a.size:
-        raise ParameterError("a plant needs at least one state, A is empty", field="plant", value=system)
+        raise ParameterError("a plant needs at least one state, A is empty", field="plant")
     d = matrix("D", system.D, len(matrix("C", system.C)), matrix("B", system.B).shape[1])
     if d.any():
-        raise ParameterError(
-            "a plant needs D = 0: subtract D u from the measured output and pass the system without D",
-            field="plant",
-            value=system,
-        )
+        raise ParameterError("a plant needs D = 0: subtract D u from the measured output", field="plant")
     time = "discrete" if _has_step(system) else "continuous"
     return Persidskii(a, None, None, "identity", B=system.B, C0=system.C, time=time)
 
@@ -69,29 +67,11 @@ def constant(system: Any, what: str = "a design") -> Persidskii:
     return plant
 
 
-def _realised(system: Any) -> Any:
-    """A transfer function as a state-space system, by its own library."""
-    try:
-        return system.to_ss()
-    except (ValueError, TypeError, ArithmeticError, NotImplementedError) as failure:
-        raise ParameterError(
-            f"a plant must have a state-space form, received a {type(system).__name__} that has none: "
-            f"{failure}",
-            field="plant",
-            value=system,
-        ) from failure
-
-
 def _has_step(system: Any) -> bool:
     """Whether a system is discrete; python-control has True for a step that is not known."""
     step = getattr(system, "dt", None)
     if step is None or isinstance(step, bool | np.bool_):
         return bool(step)
     if not is_number(step) or not 0.0 <= step < inf:
-        raise ParameterError(
-            "dt of a plant must be a number not below 0, True for a step that is not known, or None, "
-            f"received {step!r}",
-            field="dt",
-            value=step,
-        )
+        raise wrong("dt", "must be a number not below 0, True for a step that is not known, or None", step)
     return bool(step > 0.0)

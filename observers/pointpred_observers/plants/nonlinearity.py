@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from math import atan, cos, inf, pi, sin, tanh
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -15,6 +15,7 @@ import numpy as np
 from pointpred.compiled import law
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
+from pointpred_observers.numerics.matrices import wrong
 
 NARROWER = 1e-12
 """Slopes may be narrower than the true ones by this share, as when they were printed with all digits."""
@@ -26,26 +27,7 @@ SCALES = 9
 """At points of as many sizes, down to 1e-4 of the domain, one argument after the other is moved."""
 
 IDENTITY, SIN, TANH, ATAN, SATURATION, CUBE = 0, 1, 2, 3, 4, 5
-
-
-class Known(msgspec.Struct, frozen=True):
-    """A named nonlinearity: its code in compiled laws, and the bounds of its slope."""
-
-    code: int
-    low: float
-    high: float
-
-
-KNOWN = {
-    "identity": Known(IDENTITY, 1.0, 1.0),
-    "sin": Known(SIN, -1.0, 1.0),
-    "tanh": Known(TANH, 0.0, 1.0),
-    "atan": Known(ATAN, 0.0, 1.0),
-    "saturation": Known(SATURATION, 0.0, 1.0),
-    "cube": Known(CUBE, 0.0, inf),
-}
-"""What compiled stages can evaluate; ``cube`` has a bounded slope only where its argument is bounded."""
-NAMED = {one.code: name for name, one in KNOWN.items()}
+NAMED = dict(enumerate(("identity", "sin", "tanh", "atan", "saturation", "cube")))
 
 
 @law
@@ -62,6 +44,33 @@ def value(code: float, s: float) -> float:
     if code == CUBE:
         return s * s * s
     return s
+
+
+def true_slopes(code: int, domain: float) -> tuple[float, float]:
+    """The least and the largest slope of a named f within +-``domain``."""
+    if code == SIN:
+        return (cos(domain) if domain < pi else -1.0), 1.0
+    if code == TANH:
+        return 1.0 - tanh(domain) ** 2, 1.0
+    if code == ATAN:
+        return 1.0 / (1.0 + domain * domain), 1.0
+    if code == SATURATION:
+        return (1.0 if domain <= 1.0 else 0.0), 1.0
+    if code == CUBE:
+        return 0.0, 3.0 * domain * domain
+    return 1.0, 1.0
+
+
+class Known(NamedTuple):
+    """A named nonlinearity: its code in compiled laws, and the bounds of its slope."""
+
+    code: int
+    low: float
+    high: float
+
+
+KNOWN = {name: Known(code, *true_slopes(code, inf)) for code, name in NAMED.items()}
+"""What compiled stages can evaluate; ``cube`` has a bounded slope only where its argument is bounded."""
 
 
 class Nonlinearity(msgspec.Struct, frozen=True):
@@ -85,9 +94,8 @@ def nonlinearity(f: Any, count: int, slopes: Any = None) -> Nonlinearity:
     Raises ParameterError for an unknown name and for slopes that are not intervals.
     """
     if isinstance(f, Nonlinearity):
-        return (
-            f if slopes is None else msgspec.structs.replace(f, slopes=intervals(slopes, count), checked=0.0)
-        )
+        bounds = f.slopes if slopes is None else intervals(slopes, count)
+        return msgspec.structs.replace(f, slopes=bounds, checked=f.checked if slopes is None else 0.0)
     bounds = None if slopes is None else intervals(slopes, count)
     if callable(f):
         return Nonlinearity(f, None, bounds)
@@ -95,11 +103,9 @@ def nonlinearity(f: Any, count: int, slopes: Any = None) -> Nonlinearity:
     if not isinstance(names, Sequence) or any(
         not isinstance(name, str) or name not in KNOWN for name in names
     ):
-        raise ParameterError(
-            f"f must be a function or one of {', '.join(KNOWN)}, received {f!r}", field="f", value=f
-        )
+        raise wrong("f", f"must be a function or one of {', '.join(KNOWN)}", f)
     if len(names) != count:
-        raise ParameterError(f"f needs {count} components, received {f!r}", field="f", value=f)
+        raise wrong("f", f"needs {count} components", f)
     parts = [KNOWN[name] for name in names]
     codes = tuple(part.code for part in parts)
 
@@ -111,9 +117,7 @@ def nonlinearity(f: Any, count: int, slopes: Any = None) -> Nonlinearity:
 
 def same(one: Nonlinearity, other: Nonlinearity) -> bool:
     """Whether two are the same by their names, or the same Python function."""
-    if one.codes is None or other.codes is None:
-        return one.codes == other.codes and one.function is other.function
-    return one.codes == other.codes
+    return one.codes == other.codes and (one.codes is not None or one.function is other.function)
 
 
 def intervals(slopes: Any, count: int) -> tuple[tuple[float, float], ...]:
@@ -121,30 +125,10 @@ def intervals(slopes: Any, count: int) -> tuple[tuple[float, float], ...]:
     try:
         pairs = np.broadcast_to(np.array(slopes, np.float64), (count, 2))
     except (TypeError, ValueError) as unusable:
-        raise ParameterError(
-            f"slopes must be (low, high) or {count} such pairs, received {slopes!r}",
-            field="slopes",
-            value=slopes,
-        ) from unusable
+        raise wrong("slopes", f"must be (low, high) or {count} such pairs", slopes) from unusable
     if np.isnan(pairs).any() or (pairs[:, 0] > pairs[:, 1]).any():
-        raise ParameterError(f"slopes need low <= high in each pair, received {slopes!r}")
+        raise wrong("slopes", "need low <= high in each pair", slopes)
     return tuple((float(low), float(high)) for low, high in pairs)
-
-
-def true_slopes(code: int, domain: float) -> tuple[float, float]:
-    """The least and the largest slope of a named f within +-``domain``."""
-    if code == SIN:
-        return (cos(domain) if domain < pi else -1.0), 1.0
-    if code == TANH:
-        return 1.0 - tanh(domain) ** 2, 1.0
-    if code == ATAN:
-        return 1.0 / (1.0 + domain * domain), 1.0
-    if code == SATURATION:
-        return (1.0 if domain <= 1.0 else 0.0), 1.0
-    if code == CUBE:
-        return 0.0, 3.0 * domain * domain
-    assert code == IDENTITY
-    return 1.0, 1.0
 
 
 def require_slopes(f: Nonlinearity, count: int, arguments: int, domain: float) -> None:
@@ -152,24 +136,23 @@ def require_slopes(f: Nonlinearity, count: int, arguments: int, domain: float) -
 
     A function is sampled where all arguments are the same, and where one after the other moves.
     """
+    where = "everywhere" if domain == inf else f"within {domain:g}"
     if f.codes is None:
-        _require_samples(f, count, arguments, domain)
-        return
-    for i, (code, (low, high)) in enumerate(zip(f.codes, f.slopes or (), strict=False)):
+        _require_samples(f, count, arguments, domain, where)
+    for i, (code, (low, high)) in enumerate(zip(f.codes or (), f.slopes or (), strict=False)):
         least, most = true_slopes(code, domain)
         room = NARROWER * max(abs(least), abs(most)) if most < inf else 0.0
         if low > least + room or high < most - room:
-            where = "everywhere" if domain == inf else f"within {domain:g}"
             raise ParameterError(
                 f"slopes of f, {NAMED[code]!r}, must hold {where}: its slopes there lie between {least:.6g} "
-                f"and {most:.6g}, received ({low:.6g}, {high:.6g}) for component {i}; pass ({least:.6g}, "
-                f"{most:.6g}) or wider ones, or a smaller domain, the bound of abs(Hx)",
+                f"and {most:.6g}, received ({low:.6g}, {high:.6g}) for component {i}; pass wider ones, or a "
+                "smaller domain, the bound of abs(Hx)",
                 field="slopes",
                 value=f.slopes,
             )
 
 
-def _require_samples(f: Nonlinearity, count: int, arguments: int, domain: float) -> None:
+def _require_samples(f: Nonlinearity, count: int, arguments: int, domain: float, where: str) -> None:
     if f.slopes is None:
         _values(f, np.zeros(arguments), count, finite=False)
         return
@@ -181,14 +164,13 @@ def _require_samples(f: Nonlinearity, count: int, arguments: int, domain: float)
     lows, highs = np.array(f.slopes).reshape(-1, 2).T
     change = np.diff(values, axis=0)
     room = SAMPLED * np.abs(change) + NARROWER * (np.abs(values[1:]) + np.abs(values[:-1]))
-    wrong = (change < lows * steps - room) | (change > highs * steps + room)
-    if wrong.any():
-        i, one = map(int, np.argwhere(wrong)[0])
+    outside = (change < lows * steps - room) | (change > highs * steps + room)
+    if outside.any():
+        i, one = map(int, np.argwhere(outside)[0])
         raise ParameterError(
-            f"slopes of f must hold {'everywhere' if domain == inf else f'within {domain:g}'}: between "
-            f"{points[i]:.6g} and {points[i + 1]:.6g} component {one} rises by "
-            f"{change[i, one] / steps[i, 0]:.6g} per unit, received ({lows[one]:.6g}, {highs[one]:.6g}); "
-            "pass wider slopes, or a smaller domain, the bound of abs(Hx)",
+            f"slopes of f must hold {where}: between {points[i]:.6g} and {points[i + 1]:.6g} component {one} "
+            f"rises by {change[i, one] / steps[i, 0]:.6g} per unit, received ({lows[one]:.6g}, "
+            f"{highs[one]:.6g}); pass wider slopes, or a smaller domain, the bound of abs(Hx)",
             field="slopes",
             value=f.slopes,
         )
@@ -206,17 +188,15 @@ def _require_elementwise(f: Nonlinearity, count: int, reach: float) -> None:
             moved = here.copy()
             moved[i] = there[i]
             after = _values(f, moved, count)
-            wrong = np.abs(after - before) > NARROWER * (np.abs(after) + np.abs(before))
-            wrong[i] = False
-            if wrong.any():
-                one = int(np.flatnonzero(wrong)[0])
+            mixed = np.abs(after - before) > NARROWER * (np.abs(after) + np.abs(before))
+            mixed[i] = False
+            if mixed.any():
+                one = np.flatnonzero(mixed)[0]
                 raise ParameterError(
-                    f"f must be elementwise where slopes are given: component {one} may depend upon "
-                    f"argument {one} only, but changes from {before[one]:.6g} to {after[one]:.6g} as "
-                    f"argument {i} moves from {here[i]:.6g} to {moved[i]:.6g}; put the mixture into H "
-                    "(and that of components into A1 and C1), or leave out slopes",
+                    f"f must be elementwise where slopes are given: component {one} may depend upon argument "
+                    f"{one} only, but changes as argument {i} moves from {here[i]:.6g} to {moved[i]:.6g}; "
+                    "put the mixture into H, A1 and C1, or leave out slopes",
                     field="f",
-                    value=f.slopes,
                 )
 
 
@@ -227,21 +207,17 @@ def _values(f: Nonlinearity, s: FloatArray, count: int, *, finite: bool = True) 
     place = f"at arguments of {', '.join(f'{one:.6g}' for one in shown)}"
     try:
         with np.errstate(all="ignore"):
-            given: Any = f.function(s.copy())
-            received = np.asarray(given)
+            received = np.asarray(f.function(s.copy()))
             if np.iscomplexobj(received):
                 raise TypeError("its values are complex")
             values = np.asarray(received, np.float64)
-    except ArithmeticError as failure:
-        if not finite:  # f need not be defined at 0 where nothing is said of its slopes
-            return np.zeros(count)
-        raise ParameterError(f"{needed}; {place} it fails: {failure}", field="f") from failure
-    except (TypeError, ValueError, IndexError) as failure:
+    except (ArithmeticError, TypeError, ValueError, IndexError) as failure:
+        if isinstance(failure, ArithmeticError) and not finite:
+            return np.zeros(count)  # f need not be defined at 0 where nothing is said of its slopes
         raise ParameterError(f"{needed}; {place} it fails: {failure}", field="f") from failure
     if values.shape != (count,):
-        raise ParameterError(
-            f"{needed}; {place} its values have the shape {values.shape}, need ({count},)", field="f"
-        )
+        shapes = f"the shape {values.shape}, need ({count},)"
+        raise ParameterError(f"{needed}; {place} its values have {shapes}", field="f")
     if finite and not np.isfinite(values).all():
         raise ParameterError(f"{needed}; {place} it returns {values.tolist()}", field="f", value=s.tolist())
     return values

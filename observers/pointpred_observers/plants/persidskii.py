@@ -10,7 +10,7 @@ import numpy as np
 from pointpred.errors import ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.numerics.matrices import TIMES, dimensions, matrix, one_of
+from pointpred_observers.numerics.matrices import TIMES, dimensions, matrix, one_of, wrong
 from pointpred_observers.plants.nonlinearity import Nonlinearity, nonlinearity, require_slopes
 
 NAMES = ("A0", "A1", "H", "B", "Q", "C0", "C1")
@@ -62,9 +62,7 @@ class Persidskii:
     ) -> None:
         one_of("time", time, TIMES)
         if not is_number(domain) or not domain > 0.0:
-            raise ParameterError(
-                f"domain must lie above 0, received {domain!r}", field="domain", value=domain
-            )
+            raise wrong("domain", "must lie above 0", domain)
         self.time, self.domain = time, float(domain)
         self._given = dict(zip(NAMES, (A0, A1, H, B, Q, C0, C1), strict=True))
         self.varying = tuple(name for name, one in self._given.items() if callable(one))
@@ -76,27 +74,20 @@ class Persidskii:
         self.m, self.z, self.p = self.B.shape[1], self.Q.shape[1], len(self.C0)
         if self.k and H is None:
             raise ParameterError(
-                f"A1 needs H, whose product with x is the argument of f: {self.k} rows of {self.n} entries",
-                field="H",
+                f"A1 needs H, and H x is what f is of: {self.k} rows of {self.n} entries", field="H"
             )
         if self.k and isinstance(f, tuple | list) and not len(f):
             raise ParameterError("A1 needs f: a name, a name for each column of A1, or a function", field="f")
         self.f: Nonlinearity = nonlinearity(f, self.k, slopes)
         if self.f.codes is not None and self.r != self.k:
-            raise ParameterError(
-                f"H has {self.r} rows, an elementwise f with {self.k} components needs {self.k}", field="H"
-            )
+            raise ParameterError(f"H has {self.r} rows, an elementwise f needs {self.k}", field="H")
         if self.k and self.f.slopes is not None and len(self.f.slopes) != self.k:
-            raise ParameterError(
-                f"f has {len(self.f.slopes)} components, needs {self.k}: one for each column of A1", field="f"
-            )
+            raise ParameterError(f"f has {len(self.f.slopes)} components, A1 has {self.k} columns", field="f")
         if self.k and self.f.slopes is not None and self.r != self.k:
             raise ParameterError(
-                "slopes are those of an f whose components each depend upon their own argument: f has "
-                f"{self.k} components (columns of A1) and {self.r} arguments (rows of H); write it with as "
-                "many arguments as components, or leave out slopes",
+                "slopes need an f of which each component has its own argument: f has "
+                f"{self.k} components (columns of A1) and {self.r} arguments (rows of H); leave out slopes",
                 field="slopes",
-                value=self.f.slopes,
             )
         if self.k and self.f.checked < self.domain:
             require_slopes(self.f, self.k, self.r, self.domain)
@@ -122,10 +113,9 @@ class Persidskii:
     def matrices(self, t: float) -> dict[str, FloatArray]:
         """Every matrix at a time (or an index), its shape checked."""
         now = {name: one(t) if callable(one) else one for name, one in self._given.items()}
-        a0 = matrix("A0", now["A0"])
+        n = len(a0 := matrix("A0", now["A0"]))
         if not a0.size:
             raise ParameterError("A0 is empty: a plant needs at least one state", field="A0")
-        n = len(a0)
         shaped = {"A0": matrix("A0", now["A0"], n, n)}
         shaped["A1"] = column("A1", now["A1"], n)
         k = shaped["A1"].shape[1]

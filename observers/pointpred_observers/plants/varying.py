@@ -1,4 +1,4 @@
-"""Parameter-varying systems with unknown inputs, and the matrices that decouple an observer from them."""
+"""Parameter-varying systems with unknown inputs: what decouples an observer from them, invariant zeros."""
 
 from __future__ import annotations
 
@@ -11,18 +11,13 @@ from numpy.typing import NDArray
 
 from pointpred.errors import ParameterError
 from pointpred.records import FloatArray
-from pointpred_observers.numerics.balance import Coordinates, balanced
-from pointpred_observers.numerics.equalities import cleared
-from pointpred_observers.numerics.matrices import TIMES, dimensions, instance, matrix, one_of
-from pointpred_observers.plants.boxes import (
-    Box,
-    Point,
-    at_vertices,
-    difference,
-    samples,
-    scheduled,
-)
-from pointpred_observers.plants.zeros import decoupling, fixed_modes
+from pointpred_observers.numerics.balance import Coordinates, balanced, inward
+from pointpred_observers.numerics.equalities import cleared, or_one
+from pointpred_observers.numerics.matrices import TIMES, dimensions, instance, matrix, one_of, wrong
+from pointpred_observers.plants.boxes import Box, Point, at_vertices, difference, samples, scheduled
+
+RELATIVE = 1e-9
+"""Singular values below this share of the largest count as zero."""
 
 
 class ParameterVaryingSystem:
@@ -68,14 +63,14 @@ class ParameterVaryingSystem:
         one_of("time", time, TIMES)
         self._a, self._f, self.time = scheduled("A", a), scheduled("F", f), time
         self._decoupled = None if decoupled is None else scheduled("T A", decoupled)
-        self.c = _shaped("C", c, (None, None))
+        self.c = _shaped("C", c)
         self.rates = dict(instance("rates", {} if rates is None else rates, dict))
         if self.rates and time == "discrete":
             raise ParameterError("a discrete system needs no rates: T is that of the step", field="rates")
         self._weights = np.ones(len(self.c))
         self.sizes = None if sizes is None else matrix("sizes", sizes, 1, self.c.shape[1])[0]
         if self.sizes is not None and (self.sizes <= 0.0).any():
-            raise ParameterError(f"sizes must lie above 0, received {sizes!r}", field="sizes", value=sizes)
+            raise wrong("sizes", "must lie above 0", sizes)
 
     @property
     def decoupled(self) -> bool:
@@ -101,11 +96,11 @@ class ParameterVaryingSystem:
 
     def a(self, point: Point) -> FloatArray:
         """A at a point, n x n."""
-        return _shaped("A", self._a(point), (self.c.shape[1], self.c.shape[1]))
+        return _shaped("A", self._a(point), self.c.shape[1], self.c.shape[1])
 
     def f(self, point: Point) -> FloatArray:
         """F at a point, n x m."""
-        return _shaped("F", self._f(point), (self.c.shape[1], None))
+        return _shaped("F", self._f(point), self.c.shape[1])
 
     def e(self, point: Point) -> FloatArray:
         """E = -F (C F)^+, n x p."""
@@ -121,7 +116,7 @@ class ParameterVaryingSystem:
     def ta(self, point: Point) -> FloatArray:
         """T A at a point."""
         if self._decoupled is not None:
-            return _shaped("T A", self._decoupled(point), (self.c.shape[1], self.c.shape[1]))
+            return _shaped("T A", self._decoupled(point), self.c.shape[1], self.c.shape[1])
         return cleared((self.t(point, check=False), self.a(point)))
 
     def e_rate(self, point: Point) -> FloatArray:
@@ -136,9 +131,7 @@ class ParameterVaryingSystem:
     def gamma(self, point: Point) -> FloatArray:
         """Gamma = T A + T' (in discrete time T A), the error dynamics without a gain."""
         ta = self.ta(point)
-        if not self.rates:
-            return ta
-        return cleared((ta,), (self.e_rate(point), self.c))
+        return cleared((ta,), (self.e_rate(point), self.c)) if self.rates else ta
 
     def at_vertices(self, box: Box) -> tuple[FloatArray, FloatArray]:
         """Gamma and T at each vertex; raises ParameterError where one is not affine in each variable."""
@@ -172,10 +165,8 @@ class ParameterVaryingSystem:
 
     def _gamma_terms(self, point: Point) -> FloatArray:
         """The same of Gamma."""
-        if self._decoupled is not None:
-            terms = np.abs(self.ta(point))
-        else:
-            terms = self._t_terms(point) @ np.abs(self.a(point))
+        given = self._decoupled is not None
+        terms = np.abs(self.ta(point)) if given else self._t_terms(point) @ np.abs(self.a(point))
         if not self.rates:
             return terms
         (f, x, c), w, moving = self._inverse_terms(point), self._weights, self._f_rate(point, sizes=True)
@@ -185,19 +176,17 @@ class ParameterVaryingSystem:
 
     def checked(self, box: Box) -> None:
         """Raise ParameterError if the system and a box of its variables do not match."""
-        instance("box", box, Box)
-        for name, rate in self.rates.items():
-            for one in (name, rate):
-                if one not in box.names:
-                    raise ParameterError(f"the box needs the axis {one}, received {', '.join(box.names)}")
+        axes = ", ".join(instance("box", box, Box).names)
+        for one in (*self.rates, *self.rates.values()):
+            if one not in box.names:
+                raise ParameterError(f"the box needs the axis {one}, received {axes}")
         for point in box.corners:
             try:
                 self.t(point)
                 self.ta(point)
             except KeyError as missing:
-                raise ParameterError(
-                    f"the system needs the variable {missing}, the box has {', '.join(box.names)}"
-                ) from missing
+                words = f"the system needs the variable {missing}, the box has {axes}"
+                raise ParameterError(words) from missing
             except ParameterError as wrong:
                 raise ParameterError(f"{wrong}; at the vertex {point}") from wrong
         self._require_decoupled(box)
@@ -224,11 +213,8 @@ class ParameterVaryingSystem:
         place = difference(given, product, given, np.array(terms))
         if place is not None:
             row, column, error = place
-            raise ParameterError(
-                f"TA must be T times A, T = I - F (C F)^+ C: they differ by {error:.3g} in row {row + 1}, "
-                f"column {column + 1}; correct it, or leave TA out, then it is computed",
-                field="TA",
-            )
+            where = f"they differ by {error:.3g} in row {row + 1}, column {column + 1}"
+            raise ParameterError(f"TA must be T times A, T = I - F (C F)^+ C: {where}", field="TA")
 
 
 class CornerSystem(ParameterVaryingSystem):
@@ -259,12 +245,11 @@ class CornerSystem(ParameterVaryingSystem):
         time: str = "continuous",
     ) -> None:
         self.box = instance("box", box, Box)
-        given = {"A": A, "F": F, "TA": TA}
-        self.corners = {name: _held(box, name, one) for name, one in given.items() if one is not None}
-        held = {name: CornerMatrix(box, one) for name, one in self.corners.items()}
-        super().__init__(
-            held.get("A"), held.get("F"), C, rates=rates, decoupled=held.get("TA"), sizes=sizes, time=time
-        )
+        given = {"A": A, "F": F} | ({} if TA is None else {"TA": TA})
+        self.corners = {name: _held(box, name, one) for name, one in given.items()}
+        a, f, *ta = (CornerMatrix(box, one) for one in self.corners.values())
+        decoupled = ta[0] if ta else None
+        super().__init__(a, f, C, rates=rates, decoupled=decoupled, sizes=sizes, time=time)
         self.checked(box)
 
     @classmethod
@@ -278,22 +263,12 @@ class CornerSystem(ParameterVaryingSystem):
         try:
             drift = at_vertices(system.a, box, "A")
         except KeyError as missing:
-            raise ParameterError(
-                f"A needs the variable {missing}, the box has {', '.join(box.names)}: A has no matrices at "
-                "the corners, and a T A cannot be compared with it; keep the program that makes the system, "
-                "or take a box that has every variable of A",
-                field="A",
-            ) from missing
-        return cls(
-            box,
-            drift,
-            at_vertices(system.f, box, "F"),
-            system.c,
-            TA=at_vertices(system.ta, box, "T A") if system.decoupled else None,
-            rates=system.rates,
-            sizes=system.sizes,
-            time=system.time,
-        )
+            words = f"A needs the variable {missing}, the box has {', '.join(box.names)}"
+            raise ParameterError(f"{words}: take a box that has every variable of A", field="A") from missing
+        forces = at_vertices(system.f, box, "F")
+        ta = at_vertices(system.ta, box, "T A") if system.decoupled else None
+        kept = {name: getattr(system, name) for name in ("rates", "sizes", "time")}
+        return cls(box, drift, forces, system.c, TA=ta, **kept)
 
 
 class CornerMatrix:
@@ -326,12 +301,8 @@ def _held(box: Box, name: str, given: Any) -> FloatArray:
     if dimensions(given) != 3:
         return np.repeat(matrix(name, given)[None], count, axis=0)
     if len(given) != count:
-        raise ParameterError(
-            f"{name} needs a matrix, or {count} of them, one for each corner of the box, "
-            f"received {len(given)}",
-            field=name,
-            value=given,
-        )
+        must = f"needs a matrix, or {count} of them, one for each corner of the box"
+        raise wrong(name, must, len(given))
     return np.array([matrix(name, one) for one in given])
 
 
@@ -362,26 +333,78 @@ def invariant_zeros(a: Any, f: Any, c: Any = None) -> NDArray[np.complex128]:
     rows = [fixed_modes(a.ta(point), a.c) for point in instance("box", f, Box).corners]
     counts = [len(row) for row in rows]
     if min(counts) != max(counts):
-        raise ParameterError(
-            f"the number of invariant zeros must not change over the box, it lies between {min(counts)} "
-            f"and {max(counts)}"
-        )
+        between = f"it lies between {min(counts)} and {max(counts)}"
+        raise ParameterError(f"the number of invariant zeros must not change over the box, {between}")
     return np.array(rows).reshape(len(rows), counts[0])
 
 
-def _shaped(name: str, value: Any, shape: tuple[int | None, int | None]) -> FloatArray:
-    """A matrix of a caller; ``None`` leaves a side free."""
+def _shaped(name: str, value: Any, rows: int | None = None, columns: int | None = None) -> FloatArray:
+    """A matrix of a caller, as it is where it fits: so it is at every sample."""
     if isinstance(value, np.ndarray) and value.dtype == np.float64 and value.ndim == 2:
-        rows, columns = shape
         fits = rows in (None, value.shape[0]) and columns in (None, value.shape[1])
         if fits and np.isfinite(value).all():
-            return value  # as it is at every sample
-    uneven = dimensions(value) == 0 and isinstance(value, list | tuple)  # rows of different lengths
-    entries = matrix(name, value) if uneven or dimensions(value) == 2 else np.zeros(np.shape(value))
-    if entries.ndim != 2 or any(
-        one not in (None, has) for one, has in zip(shape, entries.shape, strict=True)
-    ):
-        rows, columns = shape
-        wanted = f"({rows or 'outputs'}, {columns or ('inputs' if rows else 'states')})"
-        raise ParameterError(f"{name} has shape {entries.shape}, needs {wanted}", field=name, value=value)
-    return entries
+            return value
+    return matrix(name, value, rows, columns)
+
+
+def kernel(rows: FloatArray, size: float | None = None) -> FloatArray:
+    """An orthonormal basis of the null space, a vector a column; ``size`` in place of the largest value."""
+    _, sizes, right = np.linalg.svd(np.atleast_2d(rows))
+    rank = int((sizes > RELATIVE * (sizes.max(initial=0.0) if size is None else size)).sum())
+    return np.asarray(right[rank:].T, np.float64)
+
+
+def independent(c: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """R and C' with C = R C', R'R = I and independent rows in C'; R is the identity if C has such rows."""
+    left, sizes, right = np.linalg.svd(c, full_matrices=False)
+    rank = int((sizes > RELATIVE * sizes.max(initial=0.0)).sum())
+    if rank == len(c):
+        return np.eye(rank), c
+    return np.asarray(left[:, :rank], np.float64), np.asarray(sizes[:rank, None] * right[:rank], np.float64)
+
+
+def unobservable(gamma: FloatArray, c: FloatArray) -> FloatArray:
+    """An orthonormal basis of the largest subspace inside ker C that Gamma maps into itself."""
+    basis, size = kernel(c), float(np.linalg.norm(gamma, 2))
+    while basis.shape[1]:
+        moved = gamma @ basis
+        leaving = moved - basis @ (basis.T @ moved)
+        staying = kernel(leaving, size)
+        if staying.shape[1] == basis.shape[1]:
+            break
+        basis = basis @ staying
+    return basis
+
+
+def fixed_modes(gamma: FloatArray, c: FloatArray) -> NDArray[np.complex128]:
+    """The eigenvalues of Gamma that Gamma - K C keeps for every K, complex, the slowest first."""
+    units = balanced(gamma, seen=c)
+    gamma = inward(gamma, units.states, units.states)
+    basis = unobservable(gamma, inward(c, units.outputs, units.states))
+    if not basis.shape[1]:
+        return np.zeros(0, dtype=np.complex128)
+    zeros: NDArray[np.complex128] = np.linalg.eigvals(basis.T @ gamma @ basis).astype(np.complex128)
+    return zeros[np.argsort(-zeros.real, kind="stable")]
+
+
+def _rank(entries: FloatArray, sizes: FloatArray) -> int:
+    """The rank in any units; ``sizes`` are those of the terms of each entry."""
+    rows = or_one(sizes.max(axis=1, initial=0.0))
+    columns = or_one((sizes / rows[:, None]).max(axis=0, initial=0.0))
+    return int(np.linalg.matrix_rank(entries / rows[:, None] / columns, tol=RELATIVE))
+
+
+def decoupling(f: FloatArray, c: FloatArray) -> FloatArray:
+    """T = I - F (C F)^+ C, with T F = 0; raises ParameterError naming the ranks if there is none."""
+    if f.ndim != 2 or c.ndim != 2 or f.shape[0] != c.shape[1]:
+        raise ParameterError(f"C F must exist: F has shape {f.shape}, C has shape {c.shape}")
+    if not f.shape[1]:
+        raise ParameterError("F needs a column for each unknown input, received none")
+    cf = c @ f
+    rank_cf, rank = _rank(cf, np.abs(c) @ np.abs(f)), _rank(f, np.abs(f))
+    if rank < f.shape[1]:
+        raise ParameterError(f"F must have full column rank {f.shape[1]}, its rank is {rank}")
+    if rank_cf < rank:
+        ranks = f"rank(C F) = {rank_cf} < rank(F) = {rank}"
+        raise ParameterError(f"rank(C F) must equal rank(F): {ranks}, an unknown input is not seen directly")
+    return cleared((np.eye(len(f)),), (-(f @ np.linalg.pinv(cf)), c))

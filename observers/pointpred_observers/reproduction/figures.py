@@ -32,11 +32,9 @@ def panel(name: str, t: Any, *lines: tuple[Any, str, Any], **more: Any) -> Panel
     return Panel(name, beside(t, *lines), **more)
 
 
-def panels(names: Sequence[str], t: Any, *tables: tuple[Any, str, Any], **more: Any) -> list[Panel]:
+def panels(names: Sequence[str], t: Any, *tables: tuple[Any, str, Any]) -> list[Panel]:
     """A panel for each name, of that column of each table; a ``#`` in a label is the column's number."""
     return [
-        panel(
-            name, t, *((y[:, i], label.replace("#", str(i + 1)), look) for y, label, look in tables), **more
-        )
+        panel(name, t, *((y[:, i], label.replace("#", str(i + 1)), look) for y, label, look in tables))
         for i, name in enumerate(names)
     ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 import numpy as np
@@ -13,6 +13,7 @@ from pointpred.errors import ParameterError
 from pointpred.extras import missing_extra
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
+from pointpred_observers.numerics.matrices import wrong
 from pointpred_observers.paths import writable
 from pointpred_observers.plants.persidskii import Persidskii
 
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 STATES_MOST = 8
 """Most states with a panel of their own."""
 ENDINGS = (".svg", ".png", ".pdf")
+NONE: Any = msgspec.field(default_factory=lambda: np.zeros((0, 0)))
 
 
 class Simulation(msgspec.Struct, frozen=True):
@@ -44,11 +46,11 @@ class Simulation(msgspec.Struct, frozen=True):
     names: tuple[str, ...]
     title: str
     discrete: bool
-    unknown_input: FloatArray
-    unknown_input_estimate: FloatArray
-    driving: FloatArray
-    driving_estimate: FloatArray
-    bound: FloatArray
+    unknown_input: FloatArray = NONE
+    unknown_input_estimate: FloatArray = NONE
+    driving: FloatArray = NONE
+    driving_estimate: FloatArray = NONE
+    bound: FloatArray = NONE
 
     @classmethod
     def of(
@@ -60,28 +62,12 @@ class Simulation(msgspec.Struct, frozen=True):
         output: FloatArray,
         known: FloatArray,
         title: str,
-        *,
-        bound: FloatArray | None = None,
-        driving: FloatArray | None = None,
-        driving_estimate: FloatArray | None = None,
+        **more: FloatArray | None,
     ) -> Simulation:
-        """That of a Persidskii plant, which has no unknown inputs."""
-        none = np.zeros((len(times), 0))
-        return cls(
-            times,
-            state,
-            estimate,
-            output,
-            known,
-            tuple(f"x{i + 1}" for i in range(plant.n)),
-            title,
-            plant.time == "discrete",
-            none,
-            none,
-            none if driving is None else driving,
-            none if driving_estimate is None else driving_estimate,
-            np.zeros(0) if bound is None else bound,
-        )
+        """That of a Persidskii plant; ``more``: other fields, where they are known."""
+        names, discrete = tuple(f"x{i + 1}" for i in range(plant.n)), plant.time == "discrete"
+        there = {name: one for name, one in more.items() if one is not None}
+        return cls(times, state, estimate, output, known, names, title, discrete, **there)
 
     @property
     def error(self) -> FloatArray:
@@ -91,14 +77,11 @@ class Simulation(msgspec.Struct, frozen=True):
     def rmse(self, after: float = -np.inf) -> FloatArray:
         """The root of the mean squared error of each state over the samples from ``after`` on, (n)."""
         if not is_number(after):
-            raise ParameterError(f"after must be a number, received {after!r}", field="after", value=after)
+            raise wrong("after", "must be a number", after)
         late = self.t >= after
         if not late.any():
-            raise ParameterError(
-                f"after must lie below the last sample, {self.t[-1]:g}, received {after!r}", field="after"
-            )
-        mean: FloatArray = np.sqrt(np.nanmean(self.error[late] ** 2, axis=0))
-        return mean
+            raise wrong("after", f"must lie below the last sample, {self.t[-1]:g}", after)
+        return np.asarray(np.sqrt(np.nanmean(self.error[late] ** 2, axis=0)))
 
     def plot(self, file: Path | str | None = None) -> Figure:
         """A figure of matplotlib: each state with its estimate, unknown inputs, the norm of the error.
@@ -119,11 +102,10 @@ class Simulation(msgspec.Struct, frozen=True):
     def panels(self) -> list[Panel]:
         """The axes of the figure and their lines."""
         x = "sample" if self.discrete else "t [s]"
-        shown = min(self.state.shape[1], STATES_MOST)
-        pairs = [(self.names[i], self.state[:, i], self.estimate[:, i]) for i in range(shown)]
-        for i in range(self.unknown_input.shape[1]):
-            name = f"unknown input {i + 1}" if self.unknown_input.shape[1] > 1 else "unknown input"
-            pairs.append((name, self.unknown_input[:, i], self.unknown_input_estimate[:, i]))
+        pairs = [*zip(self.names[:STATES_MOST], self.state.T, self.estimate.T, strict=False)]
+        unknown, several = self.unknown_input.T, self.unknown_input.shape[1] > 1
+        names = [f"unknown input {i + 1}" if several else "unknown input" for i in range(len(unknown))]
+        pairs += zip(names, unknown, self.unknown_input_estimate.T, strict=True)
         panels = [
             Panel(name, beside(self.t, (true, "true", "truth"), (estimate, "estimate", "first")), x)
             for name, true, estimate in pairs
@@ -139,7 +121,6 @@ def check_ending(file: Path | str) -> Path:
     """The file of a plot; raises ParameterError for an ending that no plot has, and without a folder."""
     target = writable(file)
     if target.suffix not in ENDINGS:
-        raise ParameterError(
-            f"a plot is written to a file that ends in {', '.join(ENDINGS)}, received {target}", field="file"
-        )
+        words = f"a plot is written to a file that ends in {', '.join(ENDINGS)}, received {target}"
+        raise ParameterError(words, field="file")
     return target

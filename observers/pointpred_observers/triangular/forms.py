@@ -14,12 +14,15 @@ import numpy as np
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
 from pointpred_observers.numerics.matrices import instance, listed
-from pointpred_observers.plants.polynomials import Free, power_series, shortened, symbolic
 from pointpred_observers.plants.symbolic import (
+    Free,
     SymbolicGenerator,
     SymbolicSteadyState,
     SymbolicSystem,
     known_degree,
+    power_series,
+    shortened,
+    symbolic,
 )
 
 StateRegion = Mapping[Any, tuple[float, float]] | Sequence[tuple[float, float]] | None

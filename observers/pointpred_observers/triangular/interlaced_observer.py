@@ -34,10 +34,22 @@ from pointpred_observers.numerics.equalities import NO_DIGIT
 from pointpred_observers.numerics.matrices import instance, matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import SteadyStateDocument
-from pointpred_observers.plants.entries import Document, Functions, Values, finite, gap_of, matrices_of, plain
-from pointpred_observers.plants.expressions import parsed
-from pointpred_observers.plants.polynomials import symbolic
-from pointpred_observers.plants.symbolic import SymbolicGenerator, SymbolicSteadyState, SymbolicSystem
+from pointpred_observers.plants.entries import (
+    Document,
+    Functions,
+    Values,
+    finite,
+    gap_of,
+    matrices_of,
+    parsed,
+    plain,
+)
+from pointpred_observers.plants.symbolic import (
+    SymbolicGenerator,
+    SymbolicSteadyState,
+    SymbolicSystem,
+    symbolic,
+)
 from pointpred_observers.proofs.bounds import ErrorBound, decay_of, eigenvalues, proved_bound, solved
 from pointpred_observers.proofs.error_system import DecayCertificate, ErrorSystem, certify_decay
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities

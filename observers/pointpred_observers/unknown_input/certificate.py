@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pointpred.errors import CertificateError, InfeasibleError, UndecidedError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.matrices import positive
-from pointpred_observers.plants.zeros import kernel
+from pointpred_observers.plants.varying import kernel
 from pointpred_observers.proofs.bounds import LEAST_POSITIVE, ErrorBound, least, proved_bound
 from pointpred_observers.proofs.error_system import dissipation
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from math import exp
 from typing import Any, ClassVar, Self
+from warnings import warn
 
 import msgspec
 import numpy as np
@@ -28,8 +29,13 @@ from pointpred_observers.plants.entries import (
     matrices_of,
     plain,
 )
-from pointpred_observers.plants.varying import CornerSystem, ParameterVaryingSystem, invariant_zeros
-from pointpred_observers.plants.zeros import independent, kernel
+from pointpred_observers.plants.varying import (
+    CornerSystem,
+    ParameterVaryingSystem,
+    independent,
+    invariant_zeros,
+    kernel,
+)
 from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.search import least_in_both
@@ -262,6 +268,16 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         samples = zip(times.tolist(), outputs, inputs, strict=True)
         answers = [running.update(UnknownInputSample(t, y, u, partial(schedule, t))) for t, y, u in samples]
         estimate, found = np.array([one.x for one in answers]), np.array([one.d for one in answers])
+        left: list[str] = []
+        for t, true, x in zip(times.tolist(), state, estimate, strict=True):
+            if names := self.box.outside(schedule(t, true)) or self.box.outside(schedule(t, x)):
+                left.append(f"{', '.join(names)} at t = {t:g}")
+        if left:
+            warn(
+                f"schedule leaves the box of the design at {len(left)} samples, first {left[0]}: what is "
+                "proved of the error does not cover them",
+                stacklevel=3,
+            )
         none = np.zeros((len(times), 0))
         return Simulation(
             times, state, estimate, outputs, inputs, tuple(f"x{i + 1}" for i in range(n)),

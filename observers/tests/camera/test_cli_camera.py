@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointpred_observers.camera import SCENARIOS, CameraColumns, Gravity
-from pointpred_observers.camera.scenario import observed, trajectory
-from pointpred_observers.cli.camera_files import TRUTH, read_samples, truth_table, write_table
+from pointpred_observers.camera import CameraColumns, Gravity
+from pointpred_observers.cli import write_table
+from pointpred_observers.cli.camera_files import read_samples
 
 FOCAL = ("--focal-px", "800")
 
@@ -97,33 +97,6 @@ def test_gravity_is_removed(simulated: Path, command: Callable, given: str) -> N
     assert last[0] == pytest.approx(last[1], rel=0.03 if given == "rest" else 1e-9)
     for wrong in ("up", "0,-1", "0,0,0"):
         assert "up" in command("camera", "run", felt, *FOCAL, "--up", wrong).err
-
-
-def test_images_are_followed(tmp_path: Path, command: Callable) -> None:
-    cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
-    from observers.tests.camera.rendering import render
-
-    truth = trajectory(SCENARIOS["paper"], np.arange(100) / 33.0)
-    folder = tmp_path / "frames"
-    folder.mkdir()
-    for k, image in enumerate(render(truth, 300.0)):
-        cv2.imwrite(str(folder / f"{k:04d}.png"), image)
-    table = observed(truth, focal_px=300.0).table.copy()
-    table[:, 1:3] = np.nan
-    readings = tmp_path / "readings.csv"
-    write_table(readings, CameraColumns.names, table)
-    write_table(tmp_path / "truth.csv", TRUTH, truth_table(truth))
-    focal = ("--focal-px", "300", "--noise", "0.5", "--json", "-")
-    left = command("camera", "run", readings, *focal, "--images", folder, tmp_path / "truth.csv")
-    assert left.code == 0, left.err
-    said = json.loads(left.out)
-    assert said["images"] == 100
-    assert abs(1.0 / said["last"]["peer_chi"] - truth.p[-1, 2]) < 0.1 * truth.p[-1, 2]
-    few = command("camera", "run", readings, *focal, "--images", folder, "--every", "2")
-    assert few.code == 2
-    assert "50 images are needed" in few.err
-    bad = command("camera", "run", readings, *focal, "--images", folder, "--point", "middle")
-    assert "--point needs X,Y in px" in bad.err
 
 
 @pytest.mark.parametrize(

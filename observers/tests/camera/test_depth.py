@@ -192,7 +192,7 @@ def test_a_design_for_another_plant_is_refused(design: UnknownInputObserver) -> 
     cases = (
         (other, "of 2 states in a box of k"),
         (wider, "dw_y, x$"),
-        (3, "UnknownInputObserver .* received 3"),
+        (3, "UnknownInputObserver, received 3"),
     )
     for wrong, words in cases:
         with pytest.raises(ParameterError, match=words) as refused:

@@ -9,8 +9,7 @@ from scipy.linalg import eig
 from pointpred.errors import ParameterError
 from pointpred_observers.camera import model
 from pointpred_observers.camera.model import camera_system
-from pointpred_observers.plants.varying import invariant_zeros
-from pointpred_observers.plants.zeros import decoupling, fixed_modes, unobservable
+from pointpred_observers.plants.varying import decoupling, fixed_modes, invariant_zeros, unobservable
 
 
 def rosenbrock(a: np.ndarray, f: np.ndarray, c: np.ndarray) -> np.ndarray:

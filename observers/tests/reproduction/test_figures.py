@@ -9,9 +9,9 @@ from pointpred.reproduction.catalogue import ENTRIES
 from pointpred.reproduction.figure import Entry
 from pointpred_observers import trajectory
 from pointpred_observers.examples import Bioreactor
-from pointpred_observers.reproduction import camera, interconnected
+from pointpred_observers.reproduction import camera, thesis
 from pointpred_observers.reproduction.catalogue import LISTED
-from pointpred_observers.reproduction.reversed_connection import SNIFFER
+from pointpred_observers.reproduction.thesis import SNIFFER
 from tests.reproduction.making import check, compare_with_the_page, made
 
 PAPER, COSINE = "(45) as printed, 10 s", "cos for sin in v_z, 63 s"
@@ -64,7 +64,7 @@ def test_both_states_of_figure_3_4_follow_the_map_until_the_inflow_jumps() -> No
     """By another integrator, and by the algebra of the print: (Pi w)1 = (k2 w1 + w2 - w3) / k3."""
     reactor = Bioreactor()
     ends = trajectory(
-        lambda t, s: reactor.field(interconnected.INFLOWS[0], s, (0.0, 0.0), projected=True),
+        lambda t, s: reactor.field(thesis.INFLOWS[0], s, (0.0, 0.0), projected=True),
         [1.0, 5.0, 0.1, 0.0, 1.0, 20.0],
         [0.0, 19.9],
     )[-1]
