@@ -116,7 +116,7 @@ def use_observers(here: Environment) -> None:
 def use_everything(here: Environment) -> None:
     """All extras together, and a report, which needs most of them."""
     extras = "client,cluster,live,remote,report,tables,train"
-    here.install(f"pointpred[{extras}]", "pointpred-server", "pointpred-observers[camera]")
+    here.install(f"pointpred[{extras}]", "pointpred-server", "pointpred-observers")
     here.command("doctor")
     here.command("score", "--predictors", "hold,minimum-jerk", "--report", "report.html")
     assert (here.folder / "report.html").stat().st_size > 10_000
