@@ -45,6 +45,8 @@ def test_a_linear_plant_and_its_error_follow_the_exponential() -> None:
     assert np.allclose(result.error[:, 1], error, atol=1e-4)
     assert np.abs(result.error[:, 0]).max() < 1e-12  # measured without noise
     assert (np.linalg.norm(result.error, axis=1) <= result.bound * (1.0 + 1e-9) + 1e-4).all()
+    unknown, driving, count = result.unknown_input, result.driving, len(result.t)
+    assert (unknown.shape, driving.shape) == ((count, 0), (count, 0))
 
 
 def test_a_pendulum_with_inputs_and_its_full_order_observer() -> None:

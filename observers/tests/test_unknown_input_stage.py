@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from typing import Any
 
 import msgspec
@@ -9,8 +10,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pointpred.errors import EventError, EventOrderError, ParameterError
-from pointpred_observers import Box, ParameterVaryingSystem, UnknownInputSample
+from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
+from pointpred_observers import Box, CornerSystem, ParameterVaryingSystem, UnknownInputSample
 from pointpred_observers.unknown_input import stage as running
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
 
@@ -165,6 +166,29 @@ def test_a_schedule_may_be_a_dict() -> None:
         assert found[0] == found[1]
 
 
+def test_what_the_caller_writes_into_afterwards_changes_nothing() -> None:
+    stage, twin = observed(PART).stage([1.0, 2.0, 3.0]), observed(PART).stage([1.0, 2.0, 3.0])
+    y, known, schedule = np.zeros(2), np.zeros(3), {"k": 0.0}
+    for i in range(5):
+        y[:], known[:], schedule["k"] = np.sin(i), np.cos(i), -0.1 * i
+        estimate = stage.update(UnknownInputSample(0.1 * i, y, known, schedule))
+        wanted = twin.update(UnknownInputSample(0.1 * i, y.copy(), known.copy(), dict(schedule)))
+        assert estimate.x.tobytes() == wanted.x.tobytes()
+        assert estimate.d.tobytes() == wanted.d.tobytes()
+        estimate.x[:] = estimate.d[:] = 1e6
+
+
+def test_a_stage_is_pickled_in_the_middle_of_a_run() -> None:
+    box, corners = Box({"k": (-0.5, 0.0)}), [A - 0.5 * np.eye(3), A]
+    stage = UnknownInputObserver.design(CornerSystem(box, corners, F, PART), box, 0.25).stage()
+    samples = [UnknownInputSample(0.1 * i, np.ones(2), np.zeros(3), {"k": -0.1 * i}) for i in range(4)]
+    for one in samples[:2]:
+        stage.update(one)
+    twin = pickle.loads(pickle.dumps(stage))
+    for one in samples[2:]:
+        assert twin.update(one).x.tobytes() == stage.update(one).x.tobytes()
+
+
 def test_the_first_output_may_be_missing() -> None:
     stage = observed(PART).stage([0.3, -0.2, 0.5])
     first, second = stage.update(sample(0.0, [NAN, NAN])), stage.update(sample(0.5, None))
@@ -225,6 +249,12 @@ def test_a_slow_plant_takes_as_many_steps_as_a_fast_one(monkeypatch: pytest.Monk
     [
         (sample(0.0, [0.0, 0.0]), "t must increase"),
         (sample(0.1, [0.0, np.inf]), "y needs 2 finite numbers"),
+        (sample(0.1, [1e308, -1e308]), "leaves every bound"),
+        (UnknownInputSample(0.1, ["a", "b"], np.zeros(3), {"k": 0.0}), "y needs 2 numbers"),
+        (UnknownInputSample(0.1, np.zeros(2), [[1.0, 2.0], [3.0]], {"k": 0.0}), "known needs 3 numbers"),
+        (UnknownInputSample("1", np.zeros(2), np.zeros(3), {"k": 0.0}), "t needs a finite number"),  # type: ignore[arg-type]
+        (UnknownInputSample(0.1, np.zeros(2), np.zeros(3), None), "schedule needs a number for each"),
+        (UnknownInputSample(0.1, np.zeros(2), np.zeros(3), {"k": "a"}), "schedule needs a number for each"),
         (sample(1e9, None), r"bridges at most .* s, 1e\+05 steps: sample more often"),
         (None, "UnknownInputSample, with y=None where every output is missing"),
         (sample(0.1, [0.0, 0.0], lambda _: {}), "a point needs k"),
@@ -234,7 +264,7 @@ def test_refusals_change_nothing(wrong: Any, said: str) -> None:
     observer = observed(PART)
     stage = observer.stage([1.0, 2.0, 3.0])
     first = stage.update(sample(0.0, [0.0, 0.0])).x
-    with pytest.raises((EventError, ParameterError), match=said) as refused:
+    with pytest.raises((EventError, ParameterError, DivergenceError), match=said) as refused:
         stage.update(wrong)
     assert isinstance(refused.value, EventOrderError) == (said == "t must increase")
     after = stage.update(sample(0.1, [0.0, 0.0])).x

@@ -50,7 +50,12 @@ class Simulation(msgspec.Struct, frozen=True):
     unknown_input_estimate: FloatArray = NONE
     driving: FloatArray = NONE
     driving_estimate: FloatArray = NONE
-    bound: FloatArray = NONE
+    bound: FloatArray = msgspec.field(default_factory=lambda: np.zeros(0))
+
+    def __post_init__(self) -> None:
+        for name in ("unknown_input", "unknown_input_estimate", "driving", "driving_estimate"):
+            if getattr(self, name).size == 0:
+                msgspec.structs.force_setattr(self, name, np.zeros((len(self.t), 0)))
 
     @classmethod
     def of(

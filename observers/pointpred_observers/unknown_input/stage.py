@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from contextlib import suppress
+from functools import partial
 from math import ceil, isfinite
 from typing import TYPE_CHECKING, Any, Self
 
@@ -10,7 +12,8 @@ import msgspec
 import numpy as np
 
 from pointpred.compiled import law
-from pointpred.errors import EventError, EventOrderError, ParameterError
+from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
+from pointpred.parameter import is_number
 from pointpred.records import FloatArray, FloatTable
 from pointpred_observers.numerics.eigenvalues import SINGULAR, perron_root
 from pointpred_observers.numerics.matrices import matrix
@@ -264,8 +267,8 @@ class UnknownInputStage:
 
     Parameters: ``design``; ``start`` the estimate at the first sample, by default 0, whose outputs the first
     sample replaces; ``noise`` and ``density`` as for ``InputReconstruction``. Memory: the estimate, one
-    sample, a covariance, and the matrices at the vertices. Raises ParameterError; EventError and
-    EventOrderError from ``update``, which leaves it unchanged.
+    sample, a covariance, and the matrices at the vertices. Raises ParameterError; EventError,
+    EventOrderError and DivergenceError from ``update``, which leaves it unchanged.
 
     >>> from pointpred_observers import Box, ParameterVaryingSystem, design
     >>> system = ParameterVaryingSystem(
@@ -286,9 +289,8 @@ class UnknownInputStage:
         self, design: UnknownInputObserver, start: Any = None, *, noise: Any = None, density: Any = None
     ) -> None:
         outputs, n = design.system.c.shape
-        self.design, self.start = design, np.asarray(np.zeros(n) if start is None else start, np.float64)
-        if self.start.shape != (n,) or not np.isfinite(self.start).all():
-            raise ParameterError(f"start needs {n} finite numbers, received {start!r:.80}", field="start")
+        self.design = design
+        self.start = np.zeros(n) if start is None else matrix("start", start, n, 1).ravel()
         self.reconstruction = InputReconstruction(outputs, design.system.time, noise=noise, density=density)
         corners = [design.equations(point) for point in design.box.corners]
         self._corners = np.array([np.concatenate([part.ravel() for part in one]) for one in corners])
@@ -319,15 +321,18 @@ class UnknownInputStage:
         sample, old, system = self._checked(given), self._last, self.design.system
         whole = not np.isnan(sample.y).any()
         bridged = not (whole and self._whole)
-        if old is None:
-            seen = ~np.isnan(sample.y)
-            x = self.start + np.linalg.pinv(system.c[seen]) @ (sample.y - system.c @ self.start)[seen]
-        elif bridged:
-            x = self._bridged(self._x, old, sample)
-        elif system.time == "discrete":
-            x = self._onward(self._x, old, sample)
-        else:
-            x = self._carried(self._x, old, sample)
+        with np.errstate(over="ignore", invalid="ignore"):
+            if old is None:
+                seen = ~np.isnan(sample.y)
+                x = self.start + np.linalg.pinv(system.c[seen]) @ (sample.y - system.c @ self.start)[seen]
+            elif bridged:
+                x = self._bridged(self._x, old, sample)
+            elif system.time == "discrete":
+                x = self._onward(self._x, old, sample)
+            else:
+                x = self._carried(self._x, old, sample)
+        if not np.isfinite(x).all():
+            raise DivergenceError(f"the estimate leaves every bound at t = {sample.t:g}")
         point = sample.schedule(x)
         certified = not (bridged or self.design.box.outside(point))
         g, after = system.c @ system.f(point), None
@@ -342,7 +347,7 @@ class UnknownInputStage:
                 middle, mean = 0.5 * (known + after), 0.5 * (g_before + g)
                 d, spread = self.reconstruction.update(middle, mean, sample.t - old.t, old.y, sample.y)
         self._x, self._last, self._whole, self._motion = x, sample, whole, (after, g)
-        return UnknownInputEstimate(sample.t, x, certified, d, spread)
+        return UnknownInputEstimate(sample.t, x.copy(), certified, d.copy(), spread)
 
     def _mixed(self, old: UnknownInputSample, new: UnknownInputSample, s: float, x: FloatArray) -> None:
         """The matrices at a share of the interval between two samples, where the estimate is x."""
@@ -439,16 +444,19 @@ class UnknownInputStage:
                 f"{sample!r:.80}"
             )
         outputs, n = self.design.system.c.shape
-        y = np.full(outputs, np.nan) if sample.y is None else sample.y
-        if np.shape(y) != (outputs,) or np.isinf(y).any():
-            raise EventError(
-                f"y needs {outputs} finite numbers, NaN for a missing one, received {sample.y!r:.80}",
-                field="y",
-            )
-        if np.shape(sample.known) != (n,) or not np.isfinite(sample.known).all():
-            raise EventError(f"known needs {n} finite numbers, received {sample.known!r:.80}", field="known")
-        if not isfinite(sample.t):
-            raise EventError(f"t must be finite, received {sample.t!r}")
+        y = np.full(outputs, np.nan) if sample.y is None else _copied("y", sample.y, outputs)
+        if np.isinf(y).any():
+            raise _unusable("y", f"{outputs} finite numbers, NaN for a missing one", sample.y)
+        known = _copied("known", sample.known, n)
+        if not np.isfinite(known).all():
+            raise _unusable("known", f"{n} finite numbers", sample.known)
+        if not is_number(sample.t) or not isfinite(sample.t):
+            raise _unusable("t", "a finite number", sample.t)
+        schedule = sample.schedule
+        if isinstance(schedule, Mapping) and all(is_number(one) for one in schedule.values()):
+            schedule = partial(_constant, dict(schedule))
+        if not callable(schedule):
+            raise _unusable("schedule", "a number for each variable, or a function of x", schedule)
         if self._last is not None and not sample.t > self._last.t:
             raise EventOrderError(f"t must increase: received {sample.t!r} s after {self._last.t!r} s")
         discrete = self.design.system.time == "discrete"
@@ -459,9 +467,27 @@ class UnknownInputStage:
                 field="t",
                 value=sample.t,
             )
-        y, known = np.asarray(y, np.float64), np.asarray(sample.known, np.float64)
-        point = sample.schedule
-        return UnknownInputSample(sample.t, y, known, point if callable(point) else lambda x: point)
+        return UnknownInputSample(sample.t, y, known, schedule)
+
+
+def _copied(name: str, given: Any, count: int) -> FloatArray:
+    """These numbers in an array of the stage's own."""
+    try:
+        numbers = np.array(given, np.float64)
+    except (TypeError, ValueError, OverflowError) as unusable:
+        raise _unusable(name, f"{count} numbers", given) from unusable
+    if numbers.shape != (count,):
+        raise _unusable(name, f"{count} numbers", given)
+    return numbers
+
+
+def _unusable(name: str, needs: str, given: Any) -> EventError:
+    return EventError(f"{name} needs {needs}, received {given!r:.80}", field=name, value=given)
+
+
+def _constant(point: dict[str, float], x: FloatArray) -> dict[str, float]:
+    """A schedule that is the same for every x."""
+    return point
 
 
 def _steps(old: UnknownInputSample, new: UnknownInputSample, fastest: float) -> int:
