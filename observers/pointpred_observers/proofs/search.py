@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 import msgspec
 import numpy as np
 
-from pointpred.errors import CertificateError, InfeasibleError, UndecidedError
+from pointpred.errors import CertificateError, InfeasibleError, ParameterError, UndecidedError
 from pointpred.records import FloatArray
 from pointpred_observers.numerics.balance import Coordinates
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
@@ -94,11 +94,15 @@ def least_in_both(
             found.append(attempt(one))
         except (InfeasibleError, UndecidedError, CertificateError) as failure:
             failures.append(failure)
+        except ParameterError:
+            if one is units:
+                raise
+            # In the user's units the arithmetic may not even tell independent rows.
         if size is None and found:
             break
     if not found:
-        if isinstance(failures[0], InfeasibleError) and not isinstance(failures[1], InfeasibleError):
-            raise failures[1]  # what was proved in balanced units says little about the user's
+        if isinstance(failures[0], InfeasibleError) and not isinstance(failures[-1], InfeasibleError):
+            raise failures[-1]  # what was proved in balanced units says little about the user's
         raise failures[0]
     if size is None or np.any(np.asarray(size(found[0])) <= np.asarray(size(found[-1])) + little):
         return found[0]
