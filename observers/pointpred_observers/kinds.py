@@ -61,9 +61,11 @@ def design(plant: Any, kind: str | None = None, *, decay: float = 1.0, **options
     Parameters: ``decay`` in 1/s (1/step in discrete time), above 0. The class of the kind says what the
     options are: ``FullOrderObserver``, ``ReducedOrderObserver``, ``DrivenObserver``, ``Regulator``,
     ``InterlacedObserver``, ``UnknownInputObserver``, each with its method ``design``.
-    Raises InfeasibleError naming what cannot be observed, or that no gain exists, proved; UndecidedError
-    where the solver could not decide; CertificateError where an answer does not pass the audit;
-    ParameterError for a plant, a kind or an option that does not fit.
+    Raises InfeasibleError naming what cannot be observed, or that no gain satisfies the inequalities of the
+    kind, proved; UndecidedError where the solver could not decide; CertificateError where an answer does not
+    pass the audit; ParameterError for a plant, a kind or an option that does not fit. For "reduced" of a
+    discrete plant with an f the inequality is that of Theorem 3.3.2, which knows only the Lipschitz constant
+    of f: where it is excluded, the true slopes may still allow an observer, and "full" may find one.
 
     >>> from pointpred_observers import Persidskii, stage
     >>> cart = Persidskii([[0.0, 1.0], [0.0, -1.0]], B=[0.0, 1.0], C0=[1.0, 0.0])

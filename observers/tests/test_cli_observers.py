@@ -124,7 +124,13 @@ def test_plants_with_a_generator(command: Command, tmp_path: Path) -> None:
     left = command("observers", "design", tmp_path / "oven.json", tmp_path / "heating.json")
     assert (left.code, "driven observer" in left.out) == (0, True)
     words = ("--upper", "1", "--first", "w1", "--decay", "0.5")
-    generator = tmp_path / "oscillator.json"
+    generator, spring = tmp_path / "oscillator.json", tmp_path / "spring.json"
+    needs = (
+        "spring.json: equations need the file of their generator as GENERATOR, --upper and --first, received"
+    )
+    refused(command, 2, f"{needs} no GENERATOR and no --first", "design", spring)
+    refused(command, 2, f"{needs} no GENERATOR", "design", spring, *words)
+    refused(command, 2, f"{needs} no --first", "design", spring, generator, "--upper", "1")
     left = command("observers", "design", tmp_path / "spring.json", generator, *words)
     assert (left.code, "interlaced observer" in left.out) == (0, True)
     for name in ("oven", "spring"):
@@ -133,6 +139,18 @@ def test_plants_with_a_generator(command: Command, tmp_path: Path) -> None:
         )
         assert left.code == 0
         assert all(one["last"] < 0.2 for one in json.loads(left.out)["states"])
+
+
+def test_a_warning_is_a_plain_line(command: Command, tmp_path: Path) -> None:
+    """It was printed with a path of the source, and a line of it."""
+    command("observers", "example", "wing", "--out", tmp_path / "wing.json")
+    assert command("observers", "design", tmp_path / "wing.json", "--decay", "0.5").code == 0
+    design = tmp_path / "wing_design.json"
+    left = command("observers", "simulate", design, "--parameter", "k=2+sin(t)*2")
+    assert (left.code, "RMSE" in left.out) == (0, True)
+    assert left.err.startswith("schedule leaves the box of the design at ")
+    assert left.err.endswith("what is proved of the error does not cover them\n")
+    assert left.err.count("\n") == 1
 
 
 def refused(command: Command, code: int, words: str, *arguments: str | Path) -> None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from pointpred.cli.output_files import Force, Numbers, Seed, check_targets, write_json
-from pointpred.console import remarks
+from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
@@ -103,11 +104,15 @@ def design(
     target = out or plant.with_name(f"{plant.stem}_design.json")
     inputs = [plant] if generator is None else [plant, generator]
     check_targets({"--out": target, "--json": json}, inputs, force)
+    from pointpred_observers import SymbolicSystem, load, save
     from pointpred_observers import design as designed
-    from pointpred_observers import load, save
     from pointpred_observers.cli.observer_results import print_design, summary
 
     read, driving = load(plant), None if generator is None else load(generator)
+    if isinstance(read, SymbolicSystem) and kind in (None, "interlaced") and None in (driving, first):
+        missing = [name for name, one in (("GENERATOR", driving), ("--first", first)) if one is None]
+        words = "equations need the file of their generator as GENERATOR, --upper and --first"
+        raise ParameterError(f"{plant}: {words}, received no {' and no '.join(missing)}", field="generator")
     options = {"generator": driving, "upper": upper, "first": first}
     given = {name: one for name, one in options.items() if one is not None}
     try:
@@ -188,7 +193,11 @@ def simulate(
     made = results.design_of(design)
     asked = results.signals(start, noise, parameter, input=input, unknown_input=unknown_input)
     times = results.sampling(made.plant, seconds)
-    result: Simulation = simulated(made.plant, made, times=times, seed=seed, **asked)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always", UserWarning)
+        result: Simulation = simulated(made.plant, made, times=times, seed=seed, **asked)
+    for one in told:
+        remark(str(one.message))
     if plot is not None:
         result.plot(plot)
     if out is not None:

@@ -160,7 +160,8 @@ def assumption_3_2_2(
 
     Sufficient for Assumption 3.2.2, as far as its consequence, Proposition 3.2.2, uses it: x approaches Pi w
     up to the disturbances d of the plant, w of the generator and v of the output. Global if the slopes of f
-    hold globally. A refusal is not a proof of the contrary.
+    hold globally. Two motions of an oscillator never approach each other. A refusal is not a proof of the
+    contrary.
 
     z' = (A0 - Pi G C0) z + (A1 - Pi G C1) (f(Jw + Hz) - f(Jw)) + d - Pi w + Pi G v, (3.14) for Pi = I.
 

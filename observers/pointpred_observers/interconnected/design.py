@@ -178,7 +178,8 @@ class DrivenObserver(Observer, msgspec.Struct, frozen=True):
 
     ``values``: its matrices by name. The disturbances of ``bound`` are v, the noise of Y, eps, by which the
     outputs differ from those of x = Pi w, and w of the generator's equation, as in ``error_system``. What is
-    minimised, in balanced units, is a common bound of Gamma and Xi.
+    minimised, in balanced units, is a common bound of Gamma and Xi; ``gap``: how far the least one could lie
+    below that of this design, relative to it; infinite if nothing is proved.
 
     Reference: Khalin 2022, Theorem 3.2.1, (3.5)-(3.7).
     """

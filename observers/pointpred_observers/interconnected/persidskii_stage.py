@@ -235,11 +235,12 @@ class PersidskiiStage(CompiledStage):
     interval, ``missing`` says what replaces it, by default its last value.
 
     Continuous time is integrated by the classical Runge-Kutta method in steps of at most ``step_s``, by
-    default 0.01 or the inverse of a bound of the stage's fastest rate, whichever is shorter. An interval has
-    at most 10^5 steps: within 10^5 inverse rates the default step grows with it, if the matrices are constant
-    and f has a name and bounded slopes; a longer interval is refused. "s" is the unit of time of the
-    matrices. With an f of a name and constant matrices the stage is compiled; with functions it runs in
-    numpy, some thirty times slower, by the same law.
+    default 0.01 or the inverse of a bound of the stage's fastest rate, whichever is shorter; a ``step_s``
+    that is too long for the fastest eigenvalue amplifies. An interval has at most 10^5 steps: within 10^5
+    inverse rates the default step grows with it, if the matrices are constant and f has a name and bounded
+    slopes; a longer interval is refused. "s" is the unit of time of the matrices. With an f of a name and
+    constant matrices the stage is compiled; with functions it runs in numpy, some thirty times slower, by the
+    same law.
 
     Parameters: ``N`` (q, q), ``L`` (q, k), ``J`` (k, q), ``K`` (q, inputs), each an array or a function of
     t (of the index in discrete time); ``f`` a name or one for each component, or a function from R^r to R^k

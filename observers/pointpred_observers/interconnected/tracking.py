@@ -131,7 +131,9 @@ def sector_bounds(plant: Plant, **values: Any) -> SectorBounds:
     """The constants that slopes of at most b_j imply, Sigma1 = Psi1 = H' diag(b^2) H, or those passed.
 
     Raises ParameterError where slopes are missing, unbounded or negative (Assumption 3.2.5 needs an f that
-    increases), CertificateError where the passed Sigma1 or Psi1 lie below those that the slopes imply.
+    increases), CertificateError where the passed Sigma1 or Psi1 lie below those that the slopes imply: to
+    lie above is sufficient for Assumption 3.2.4, and necessary where the other constants are zero and the
+    slopes are reached.
 
     >>> from pointpred_observers import Persidskii
     >>> plant = Persidskii(-np.eye(2), [0.0, 1.0], [0.0, 2.0], "tanh")
@@ -379,7 +381,21 @@ def theorem_3_2_3(
 
 
 def assumption_3_2_3(plant: Plant, regulator: Generator, Pi: Any) -> MatrixInequalities:
-    """The inequalities of Assumption 3.2.3: those of ``theorem_3_2_2`` without its condition."""
+    """The inequalities of Assumption 3.2.3: ``solve`` finds matrices, ``check`` audits printed ones.
+
+    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Omega, Lambda >= 0; S = S0 + G C0 Pi, S~ = S1 + G C1, J = H Pi.
+
+    [S'P + P S + Xi, P S~ + S'J'Lambda + J'Omega, P, P; *, S~'J'Lambda + Lambda J S~, Lambda J, Lambda J;
+    *, *, -Gamma, 0; *, *, *, -Gamma] <= 0. ``solve`` wants it strict, which cannot hold with J S~ = 0.
+    Assumes r = k, as the thesis does.
+
+    >>> from pointpred_observers import Persidskii
+    >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
+    >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
+    >>> printed = {"P": 2.0, "Gamma": 99.0, "Xi": 1.0, "Omega": 4.0, "Lambda": 1.0}
+    >>> sorted(assumption_3_2_3(plant, regulator, [[1.0]]).check(printed))
+    ['Gamma > 0', 'Lambda >= 0', 'Omega >= 0', 'P > 0', 'Phi', 'Xi']
+    """
     problem = theorem_3_2_2(plant, regulator, Pi)
     problem.blocks.pop("Xi + J' Omega J", None)
     return problem
@@ -388,7 +404,21 @@ def assumption_3_2_3(plant: Plant, regulator: Generator, Pi: Any) -> MatrixInequ
 def assumption_3_2_6(
     plant: Plant, regulator: Generator, Pi: Any, sector: SectorBounds | None = None
 ) -> MatrixInequalities:
-    """The inequalities of Assumption 3.2.6: those of ``theorem_3_2_3`` without its conditions."""
+    """The inequalities of Assumption 3.2.6: ``solve`` finds matrices, ``check`` audits printed ones.
+
+    Unknowns: P, Gamma > 0, Xi >= 0, diagonal Lambda, Omega1, Omega2, Upsilon >= 0, gamma1, gamma2 > 0;
+    A~0 = A0 - Pi G C0, A~1 = A1 - Pi G C1.
+
+    [A~0'P + P A~0 + Xi, A~0'H'Lambda + H'Omega1, P A~1 + H'Omega2, P; *, -gamma1 I, Lambda H A~1 + Upsilon,
+    Lambda H; *, *, -gamma2 I, 0; *, *, *, -Gamma] <= 0.
+
+    >>> from pointpred_observers import Persidskii
+    >>> plant = Persidskii([[-1.0]], [-1.0], [1.0], "tanh", [1.0], None, [1.0])
+    >>> regulator = Generator([[-3.0]], [-2.0], None, [2.0], [0.0], [-1.0])
+    >>> found = assumption_3_2_6(plant, regulator, [[1.0]]).solve()
+    >>> min(found.margins.values()) > 0.0
+    True
+    """
     problem = theorem_3_2_3(plant, regulator, Pi, sector)
     for name in ("R1", "R2", "R3", "R4", "R1 + H'(R2 + R3) H"):
         problem.blocks.pop(name, None)

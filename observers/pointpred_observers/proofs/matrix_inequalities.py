@@ -86,10 +86,11 @@ class MatrixInequalities:
     Assumes strict inequalities: one that can only hold with equality is infeasible here. Meant for dense
     problems of some hundred numbers; sparsity is not used.
 
-    Each inequality reads block(v) < 0, where v holds the matrices; a search asks for -1e-5 s I with s the
-    largest coefficient of the block. A matrix declared ``positive`` lies between I and 1e12 I, other numbers
-    have no such bound. A refusal is proved for P up to the condition number that its message names, in the
-    units of the matrices that were passed, which the designs of this package balance first.
+    Each inequality reads block(v) < 0, where v holds the matrices; a search asks for a margin, -1e-5 s I with
+    s the largest coefficient of the block. A matrix declared ``positive`` lies between I and kappa I, kappa =
+    1e12, other numbers have no such bound. ``Solution`` says what ``margins`` and ``gap`` are. A refusal is
+    proved for P up to the condition number that its message names, in the units of the matrices that were
+    passed, which the designs of this package balance first.
 
     Reference: Boyd, El Ghaoui, Feron, Balakrishnan 1994, chapter 2; Boyd, Vandenberghe 2004, section 5.9.
 

@@ -176,9 +176,9 @@ def certify_convergence(
 ) -> Convergence:
     """A certificate that w = Pi x + Upsilon y attracts the observer's state, recomputed from its matrices.
 
-    Assumes one P for all times; if matrices vary, ``times`` are required and only these are certified.
-    Theorem 3.3.2 uses only the Lipschitz constant of f: a steep f is refused although it may help. Takes the
-    P of least condition number (in discrete time, with a small Gamma).
+    Assumes one P for all times; if matrices vary, ``times`` are required and only these are certified, not
+    the times between them. Theorem 3.3.2 uses only the Lipschitz constant of f: a steep f is refused although
+    it may help. Takes the P of least condition number (in discrete time, with a small Gamma).
 
     Parameters: ``decay`` of the error in 1/s (per step in discrete time), > 0, by Xi >= 2 decay P; by default
     a fraction of the slowest corner's; ``gamma`` of Theorem 3.3.1 in 1/s, > 0, by default ``decay``.

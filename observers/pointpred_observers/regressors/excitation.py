@@ -77,10 +77,10 @@ def persistent_excitation(
 def linear_independence(t: ArrayLike, first: ArrayLike, second: ArrayLike, window_s: float) -> float:
     """How far two signals are from linear dependence: 0 if one is a fixed combination of the other.
 
-    The regressions of each signal on the other over [t, t + T], (int phi phi')^-1 int phi psi', are
-    compared from window to window; the result is the smaller of the two ranges of their entries, relative to
-    the ratio of the signals' sizes. It describes this window only: the definition needs some window, so a 0
-    for one proves nothing.
+    Assumes both excited over every window. The regressions of each signal on the other over [t, t + T],
+    (int phi phi')^-1 int phi psi', are compared from window to window; the result is the smaller of the two
+    ranges of their entries, relative to the ratio of the signals' sizes. It describes this window only:
+    the definition needs some window, so a 0 for one proves nothing.
 
     Parameters: ``t`` s, increasing; ``first`` of shape (samples, n), ``second`` of shape (samples, m);
     ``window_s`` T, within the record. Raises ParameterError, also if a signal is not excited over a window.

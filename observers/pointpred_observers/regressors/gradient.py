@@ -270,7 +270,8 @@ class GradientRegressor(_Estimator):
     """Gradient estimator of constants x in y = D x, as a differential equation or sample by sample.
 
     Assumes a regressor D that is persistently exciting: nothing is learned in directions that D does not
-    excite, and drifting constants are tracked with a lag. Noise is not averaged.
+    excite, and drifting constants are tracked with a lag. Noise is not averaged. More gain is not always
+    faster: a large one keeps the estimate on the plane of the newest sample, along which it moves slowly.
 
     Continuous (3.46): theta' = G D'(y - D theta), with D and y linear between two samples; of
     second order in the interval, exact in theta for one output, and no gain is too large.
@@ -280,7 +281,8 @@ class GradientRegressor(_Estimator):
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` p, 1 to 32; ``gain`` G, a positive
     number, n of them or a positive definite matrix, in 1/s over the square of the regressor's unit
     (discrete: without 1/s); ``time`` "continuous" or "discrete"; ``start`` the first estimate, default zeros.
-    Raises ParameterError, and EventError and EventOrderError from ``update``.
+    Memory: 8 + 5 n + n^2 + 2 p (n + 1) floats. Raises ParameterError, and EventError and EventOrderError from
+    ``update``.
 
     Reference: Khalin 2022, (3.41)-(3.46) and (3.53)-(3.58), with G positive definite where the print
     has nonsingular.

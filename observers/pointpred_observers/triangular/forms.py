@@ -42,6 +42,14 @@ def intervals_of(region: StateRegion, over: Sequence[Any], *, whole: bool = Fals
     """The intervals by symbol, of all symbols if ``whole``; pairs in order may not leave any out.
 
     Raises ParameterError for an unknown state, a missing one and what is no finite interval.
+
+    >>> import sympy as sp
+    >>> w = sp.symbols("w1 w2")
+    >>> intervals_of({"w2": (-1, 1)}, w)
+    {w2: (-1.0, 1.0)}
+    >>> intervals_of([(0.0, 1.0)], w)
+    Traceback (most recent call last):
+    pointpred.errors.ParameterError: region needs 2 pairs (low, high), received [(0.0, 1.0)]
     """
 
     def wrong(needs: str, value: Any) -> ParameterError:
@@ -93,6 +101,12 @@ def enclosure(
     """Bounds of the expression over the box, rounded outwards and tight up to the size of one of ``parts``.
 
     Raises ParameterError where it has no bounded enclosure or depends on other symbols.
+
+    >>> import sympy as sp
+    >>> x = sp.Symbol("x")
+    >>> low, high = enclosure(x**2 - x, {x: (0.0, 1.0)})
+    >>> -0.26 < low <= -0.25, 0.0 <= high < 0.01
+    (True, True)
     """
     over = sorted(expression.free_symbols, key=str)
     if missing := [str(one) for one in over if one not in box]:
@@ -118,6 +132,13 @@ def prove_nonzero(name: str, expression: Any, over: Sequence[Any], region: State
     A box whose enclosure contains zero is halved; if that does not end, the answer is undecided. Raises
     InfeasibleError naming a place where it vanishes or has no value, UndecidedError if neither could be
     shown, ParameterError for parameters without value. A constant of parameters is taken as generic.
+
+    >>> import sympy as sp
+    >>> w = sp.Symbol("w")
+    >>> prove_nonzero("g", 1 + w**2, [w], None)
+    >>> prove_nonzero("g", 2 - w**2, [w], [(0.0, 2.0)])
+    Traceback (most recent call last):
+    pointpred.errors.InfeasibleError: g vanishes at w = 1.41421
     """
     if shortened(expression) == 0:
         raise InfeasibleError(f"{name} vanishes everywhere")

@@ -208,7 +208,21 @@ class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
     Assumes that the plant converges to its steady state (assumption 4.4.2): its distance from it is an
     error of y. If the steady state is a truncated series, x and z are accurate near the origin only.
 
+    Parameters: ``steady`` whose outputs must be C w; ``certificate`` with L, from ``certify``; ``start`` of
+    w; ``gap_s`` s, by default none: over a longer interval between two samples the generator runs alone.
     Reference: Khalin 2022, Theorem 4.4.1.
+
+    >>> import sympy as sp
+    >>> from pointpred_observers import SymbolicGenerator
+    >>> x1, x2, u, w1, w2 = sp.symbols("x1 x2 u w1 w2")
+    >>> plant = SymbolicSystem((x1, x2), (-x1 + x2**2, -x2 + u), u, outputs=(x2,))
+    >>> steady = interlaced(plant, SymbolicGenerator((w1, w2), (w2, -w1)), 1, w1, degree=2)
+    >>> stage = InterlacedObserver.design(steady, decay=0.5).stage()
+    >>> for i in range(4000):
+    ...     estimate = stage.update(np.cos(0.01 * i), 0.01 * i)
+    >>> true = steady.function()((np.cos(39.99), -np.sin(39.99)))
+    >>> round(estimate.x[0], 4), round(float(true[0]), 4)
+    (0.2887, 0.2887)
     """
 
     kind: ClassVar[str] = "interlaced"
