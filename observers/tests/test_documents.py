@@ -234,6 +234,12 @@ TAMPERED = [
     ("full order", put("Pi", value=[[1.0, 0.0], [0.0, 2.0]]), InfeasibleError),
     ("reduced order", put("Upsilon", value=[[3.0]]), CertificateError),
     ("reduced order, discrete", put("certificate", "P", value=[[-1.0]]), CertificateError),
+    ("reduced order, discrete", put("certificate", "Xi", value=[[1e-100]]), CertificateError),
+    (
+        "full order, discrete",
+        put("certificate", "Theta", value=(1e-100 * np.eye(2)).tolist()),
+        CertificateError,
+    ),
     ("driven", put("plant", "A0", value=[[-1.0, 0.5], [0.0, -1.0]]), InfeasibleError),
     ("regulator", put("regulator", "G", value=[[1.0], [1.0]]), InfeasibleError),
     ("regulator", put("feedback", "L0", value=[[0.0, 0.0]]), CertificateError),
