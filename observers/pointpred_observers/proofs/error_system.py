@@ -80,7 +80,7 @@ class ErrorSystem(msgspec.Struct, frozen=True):
                 field="disturbances",
             )
         one_of("time", self.time, TIMES)
-        if self.domain != inf:
+        if not (is_number(self.domain) and self.domain == inf):
             positive("domain", self.domain)
 
     @property
