@@ -263,6 +263,12 @@ def test_a_design_that_proves_nothing_is_not_loaded(
         decoded(changed(name, change), name="mine.json")
 
 
+def test_a_regulator_without_j_in_its_file_has_that_of_its_plant() -> None:
+    again = decoded(changed("regulator", lambda content: content["regulator"].pop("J")))
+    assert np.array_equal(again.regulator.J, kept.PENDULUM.H @ again.Pi)
+    assert np.isfinite(o.stage(again).update(0.0, [0.1, 0.0])).all()
+
+
 def test_nothing_is_replaced_by_half_a_file(tmp_path: Path) -> None:
     target = o.save(kept.CART, tmp_path / "cart.json")
     before = target.read_bytes()

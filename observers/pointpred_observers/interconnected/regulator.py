@@ -392,6 +392,9 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
         l0 = matrix("L0", self.feedback.L0, plant.m, plant.n)
         l1 = _shaped(self.feedback.L1, plant)
         g = regulator.beside(plant)
+        if regulator.J is None:  # that of the plant
+            own_f, time = regulator.f, regulator.time
+            regulator = Generator(g.S0, g.S1, plant.H @ pi, g.G, g.L0, g.L1, g.E, own_f, time=time)
         own = {"G": (g.G[: plant.n], observer.gain), "L0": (g.L0[:, : plant.n], l0), "L1": (g.L1, l1)}
         for name, (left, right) in own.items():
             if not np.array_equal(left, right):
