@@ -234,6 +234,12 @@ TAMPERED = [
     ("full order", put("Pi", value=[[1.0, 0.0], [0.0, 2.0]]), InfeasibleError),
     ("reduced order", put("Upsilon", value=[[3.0]]), CertificateError),
     ("reduced order, discrete", put("certificate", "P", value=[[-1.0]]), CertificateError),
+    ("reduced order, discrete", put("certificate", "Xi", value=[[1e-100]]), CertificateError),
+    (
+        "full order, discrete",
+        put("certificate", "Theta", value=(1e-100 * np.eye(2)).tolist()),
+        CertificateError,
+    ),
     ("driven", put("plant", "A0", value=[[-1.0, 0.5], [0.0, -1.0]]), InfeasibleError),
     ("regulator", put("regulator", "G", value=[[1.0], [1.0]]), InfeasibleError),
     ("regulator", put("feedback", "L0", value=[[0.0, 0.0]]), CertificateError),
@@ -255,6 +261,12 @@ def test_a_design_that_proves_nothing_is_not_loaded(
 ) -> None:
     with pytest.raises(error, match=r"^mine\.json: "):
         decoded(changed(name, change), name="mine.json")
+
+
+def test_a_regulator_without_j_in_its_file_has_that_of_its_plant() -> None:
+    again = decoded(changed("regulator", lambda content: content["regulator"].pop("J")))
+    assert np.array_equal(again.regulator.J, kept.PENDULUM.H @ again.Pi)
+    assert np.isfinite(o.stage(again).update(0.0, [0.1, 0.0])).all()
 
 
 def test_nothing_is_replaced_by_half_a_file(tmp_path: Path) -> None:

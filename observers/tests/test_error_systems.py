@@ -147,6 +147,14 @@ def test_the_decay_of_a_normal_system_is_certified_up_to_its_eigenvalue() -> Non
         )
 
 
+def test_a_certificate_of_a_decay_near_the_edge_keeps_its_margin() -> None:
+    """A feedback's closed loop decays by little more than is certified."""
+    plant = o.Persidskii(
+        [[0.441, 0.302], [-0.0346, -1.208]], B=[0.2177, -1.088], C0=[-0.683, -0.777], time="discrete"
+    )
+    assert design_state_feedback(plant, decay=0.1).certificate.margins["V'"] > 5e-6
+
+
 def test_the_error_system_of_an_observer_is_what_its_error_does() -> None:
     plant = o.Persidskii(
         [[-1.0, 0.5], [0.0, -2.0]], [0.0, -1.0], [1.0, 0.0], lambda s: np.array([asinh(s[0])]), [0.0, 1.0],

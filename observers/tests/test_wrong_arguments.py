@@ -18,6 +18,7 @@ from pointpred_observers.interconnected.persidskii_stage import MissingInputs, P
 from pointpred_observers.interconnected.regulator import Regulator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
+from pointpred_observers.regressors.gradient import Regression
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
@@ -37,7 +38,7 @@ ERRORS = REDUCED.error_system()
 REGULATED = {"plant": SMALL, "regulator": TRACKED, "Pi": [[1.0]]}
 CHAIN = o.SymbolicSystem((X1, X2), (X2, (2 + X1) * U), U)
 
-ROW = [[0.0, 1.0]]
+ROW, NONE = [[0.0, 1.0]], np.zeros(0)
 REGION = {W1: (-1, 1), W2: (-1, 1)}
 SQUARE = {"a": np.eye(2), "f": np.eye(2, 1), "c": np.eye(1, 2)}
 FOLLOWED = {"system": SYSTEM, "generator": CIRCLE, "maps": STEADY.maps, "input": STEADY.input}
@@ -58,9 +59,6 @@ WRONG: list[Any] = [
     np.zeros((0, 0)),
     PLANT,
 ]
-FLAGS = {"relaxed", "injection"}
-"""Arguments whose truth value alone counts."""
-
 DOORS: list[partial[Any]] = [
     partial(o.Persidskii, **SMALL.matrices(0.0), f="tanh", slopes=(0, 1), time="continuous", domain=1.0),
     partial(o.Generator, S0=[[0.0]], S1=[0.0], J=[1.0], G=[1.0], L0=[1.0], L1=[1.0], E=[1.0], f="sin"),
@@ -149,10 +147,57 @@ CASES = [
 @pytest.mark.parametrize("door", CASES)
 def test_no_argument_leads_to_a_raw_error(door: partial[Any]) -> None:
     door()
-    for name in door.keywords.keys() - FLAGS:
+    for name in door.keywords:
         for value in WRONG:
             with suppress(PointpredError):
                 door(**{name: value})
+
+
+HUGE = 10**400
+LINEAR = o.Persidskii([[0.0, 1.0], [0.0, 0.0]], B=[0.0, 1.0], C0=[1.0, 0.0])
+DIAGONAL = {"A": -np.eye(2), "F": np.eye(2, 1)}
+
+
+def follow(reference: Any) -> Any:
+    return o.design(LINEAR, "regulator", reference=reference, following=([[1.0, 0.0]], [[1.0]]))
+
+
+def regression(regressor: Any, weight: Any = None) -> Any:
+    return o.simulate(Regression([1.0, 2.0], regressor, weight), o.NonlinearRegressor(2), times=[0.0, 0.1])
+
+
+NAMED: list[tuple[str, Any]] = [
+    ("A0", lambda: o.Persidskii([[HUGE]])),
+    ("decay", lambda: o.design(LINEAR, decay=HUGE)),
+    ("start", lambda: o.simulate(**RUN | {"start": [HUGE, 1.0]})),
+    ("signal", lambda: o.persistent_excitation([0.0, 1.0], [[HUGE], [1.0]], 0.5)),
+    ("k", lambda: o.Box({"k": (0.0, HUGE)})),
+    ("slopes", lambda: o.Persidskii([[-1.0]], [1.0], [1.0], "sin", slopes=(0.0, HUGE))),
+    ("gain", lambda: o.GradientRegressor(2, gain=HUGE)),
+    ("reference", lambda: follow("x")),
+    ("reference", lambda: follow(LINEAR)),
+    ("noise", lambda: o.simulate(**RUN | {"disturbance": None, "noise": [[1, 2], [3]]})),
+    ("regressor", lambda: regression(None)),
+    ("weight", lambda: regression(lambda t: [1.0, t], "")),
+    ("weight", lambda: regression(lambda t: [1.0, t], lambda t: "x")),
+    ("field", lambda: o.trajectory(lambda t, x: "x", [1.0], [0.0, 1.0])),
+    ("field", lambda: o.trajectory(lambda t, x: [1.0, 2.0], [1.0], [0.0, 1.0], time="discrete")),
+    (
+        "domain",
+        lambda: o.ErrorSystem(**ERROR, names=[""], disturbances={"d": 1}, time="discrete", domain=NONE),
+    ),
+    ("relaxed", lambda: o.steady_state_map(PLANT, GENERATOR, relaxed=NONE)),
+    ("injection", lambda: o.invariant_observer(PLANT, ROW, [[0.0]], injection=NONE)),
+    ("estimate", lambda: o.stage(kept.design("regulator"), estimate=NONE)),
+    ("C", lambda: o.CornerSystem(BOX, **DIAGONAL, C="1")),
+]
+
+
+@pytest.mark.parametrize(("field", "call"), NAMED)
+def test_a_wrong_argument_is_named(field: str, call: Any) -> None:
+    with pytest.raises(ParameterError) as refused:
+        call()
+    assert refused.value.field == field
 
 
 def test_matrices_and_regions_in_the_forms_that_people_write() -> None:

@@ -27,7 +27,7 @@ from pointpred_observers.numerics.equalities import (
     summed,
     without_rounding,
 )
-from pointpred_observers.numerics.matrices import matrix, positive
+from pointpred_observers.numerics.matrices import flag, instance, matrix, positive
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import GeneratorDocument, PlantDocument
 from pointpred_observers.plants.entries import (
@@ -274,6 +274,8 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
         faster = decay if observer_decay is None else positive("observer_decay", observer_decay)
         if (reference is None) != (following is None):
             raise ParameterError("give reference and following = (R, F) together: R x is to follow F r")
+        if reference is not None:
+            instance("reference", reference, Generator)
         copied = Generator(one.A0, one.A1, one.H, E=one.Q)
         observer = driven(one, copied, np.eye(one.n), decay=faster)
         if reference is None:
@@ -307,7 +309,7 @@ class Regulator(Observer, msgspec.Struct, frozen=True):
         gap_s: float | None = None,
     ) -> PersidskiiStage:
         """Regulator (3.8): inputs are Y, then rho; it returns u, and behind it Pi w if ``estimate``."""
-        shown = self.Pi if estimate else None
+        shown = self.Pi if flag("estimate", estimate) else None
         return regulator_stage(self.plant, self.regulator, shown, start=start, step_s=step_s, gap_s=gap_s)
 
     def simulated(self, plant: Any, setting: Setting) -> Simulation:
@@ -390,6 +392,9 @@ class RegulatorDocument(Document, tag="regulator", frozen=True):
         l0 = matrix("L0", self.feedback.L0, plant.m, plant.n)
         l1 = _shaped(self.feedback.L1, plant)
         g = regulator.beside(plant)
+        if regulator.J is None:  # that of the plant
+            own_f, time = regulator.f, regulator.time
+            regulator = Generator(g.S0, g.S1, plant.H @ pi, g.G, g.L0, g.L1, g.E, own_f, time=time)
         own = {"G": (g.G[: plant.n], observer.gain), "L0": (g.L0[:, : plant.n], l0), "L1": (g.L1, l1)}
         for name, (left, right) in own.items():
             if not np.array_equal(left, right):

@@ -26,7 +26,7 @@ from pointpred_observers.numerics.equalities import (
     stacked,
     summed,
 )
-from pointpred_observers.numerics.matrices import instance, listed, matrix, moments, share
+from pointpred_observers.numerics.matrices import flag, instance, listed, matrix, moments, share
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
 from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
@@ -66,7 +66,7 @@ def equalities(plant: Plant, generator: Generator, Pi: Any, *, relaxed: bool = F
             (plant.A0, pi), (-pi, g.G, plant.C0, pi), (-pi, g.S0), (plant.B, g.L0)
         )
     }
-    if relaxed:
+    if flag("relaxed", relaxed):
         found["A1 - Pi G C1"] = summed((plant.A1,), (-pi, g.G, plant.C1))
         found["B L1 - Pi S1"] = summed((plant.B, g.L1), (-pi, g.S1))
     else:
@@ -140,7 +140,7 @@ def steady_state_map(
     """
     plant, tolerance = as_plant(plant), share("tolerance", tolerance)
     instance("generator", generator, Generator)
-    if generator.f is not None and not relaxed:
+    if generator.f is not None and not flag("relaxed", relaxed):
         raise ParameterError(
             "a generator with an f of its own needs relaxed=True: J = H Pi says nothing then"
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from typing import Any, TypeVar
 
 import numpy as np
@@ -32,7 +33,7 @@ def matrix(name: str, value: Any, rows: int | None = None, columns: int | None =
         if np.iscomplexobj(received):
             raise wrong(name, "must be real", value)
         entries = np.array(received, np.float64)
-    except (TypeError, ValueError) as unusable:
+    except (TypeError, ValueError, OverflowError) as unusable:
         if isinstance(unusable, ParameterError):
             raise
         raise wrong(name, "must be a matrix of numbers", value) from unusable
@@ -75,10 +76,10 @@ def moments(varying: str, times: Sequence[float] | None, purpose: str) -> list[f
 
 def positive(name: str, value: Any, *, zero: bool = False) -> float:
     """A finite number above 0 (or not below it); raises ParameterError, also for text and complex numbers."""
-    if not is_number(value) or not 0.0 <= value < np.inf or (value == 0.0 and not zero):
-        bound = "not below" if zero else "above"
-        raise wrong(name, f"must be finite and {bound} 0", value)
-    return float(value)
+    with suppress(OverflowError):
+        if is_number(value) and 0.0 <= value < np.inf and (zero or value > 0.0):
+            return float(value)
+    raise wrong(name, f"must be finite and {'not below' if zero else 'above'} 0", value)
 
 
 def share(name: str, value: Any) -> float:
@@ -92,11 +93,18 @@ def vector(name: str, value: Any, size: int) -> FloatArray:
     """An array of ``size`` numbers, not copied; raises ParameterError."""
     try:
         numbers = np.atleast_1d(np.asarray(value, np.float64))
-    except (TypeError, ValueError) as unusable:
+    except (TypeError, ValueError, OverflowError) as unusable:
         raise wrong(name, f"must be {size} numbers", value) from unusable
     if numbers.shape != (size,):
         raise wrong(name, f"must be {size} numbers", value)
     return numbers
+
+
+def flag(name: str, value: Any) -> bool:
+    """A truth value; raises ParameterError for anything else."""
+    if not isinstance(value, bool | np.bool_):
+        raise wrong(name, "must be True or False", value)
+    return bool(value)
 
 
 def instance(name: str, value: Any, kind: type[Kind]) -> Kind:

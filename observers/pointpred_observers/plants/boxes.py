@@ -151,9 +151,10 @@ class Box:
 def _interval(name: str, pair: tuple[float, float]) -> tuple[float, float]:
     try:
         low, high = pair
-    except (TypeError, ValueError) as unusable:
+        finite = is_number(low) and is_number(high) and isfinite(low) and isfinite(high)
+    except (TypeError, ValueError, OverflowError) as unusable:
         raise wrong(name, "needs (low, high)", pair) from unusable
-    if not (is_number(low) and is_number(high) and isfinite(low) and isfinite(high)):
+    if not finite:
         raise wrong(name, "needs two finite numbers", pair)
     if low > high:
         raise wrong(name, "needs low <= high", pair)

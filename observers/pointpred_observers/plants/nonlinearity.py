@@ -124,7 +124,7 @@ def intervals(slopes: Any, count: int) -> tuple[tuple[float, float], ...]:
     """One (low, high) for each component; a single pair applies to all."""
     try:
         pairs = np.broadcast_to(np.array(slopes, np.float64), (count, 2))
-    except (TypeError, ValueError) as unusable:
+    except (TypeError, ValueError, OverflowError) as unusable:
         raise wrong("slopes", f"must be (low, high) or {count} such pairs", slopes) from unusable
     if np.isnan(pairs).any() or (pairs[:, 0] > pairs[:, 1]).any():
         raise wrong("slopes", "need low <= high in each pair", slopes)

@@ -248,8 +248,10 @@ class CornerSystem(ParameterVaryingSystem):
         given = {"A": A, "F": F} | ({} if TA is None else {"TA": TA})
         self.corners = {name: _held(box, name, one) for name, one in given.items()}
         a, f, *ta = (CornerMatrix(box, one) for one in self.corners.values())
-        decoupled = ta[0] if ta else None
-        super().__init__(a, f, C, rates=rates, decoupled=decoupled, sizes=sizes, time=time)
+        decoupled, outputs, n = ta[0] if ta else None, C, self.corners["A"].shape[2]
+        if self.corners["F"].shape[1] == n:  # else C may be right, and A wrong
+            outputs = matrix("C", C, None, n)
+        super().__init__(a, f, outputs, rates=rates, decoupled=decoupled, sizes=sizes, time=time)
         self.checked(box)
 
     @classmethod

@@ -137,7 +137,7 @@ def eigenvalues(name: str, value: Any) -> FloatArray:
 def proved_bound(P: Any, decay: float, drives: Mapping[str, float], time: str = "continuous") -> ErrorBound:
     """The bound of an error whose V = e'Pe obeys V' <= -2 decay V + sum of drives abs(disturbance)^2.
 
-    In discrete time V+ <= exp(-2 decay) V plus the same sum.
+    In discrete time V+ <= exp(-2 decay) V plus the same sum. Raises CertificateError without a decay.
 
     >>> proved_bound([[1.0]], 1.0, {"eps": 8.0})(1.0, 1.0, eps=0.5)  # exp(-1) + 2 * 0.5
     1.3678794411714423
@@ -145,7 +145,12 @@ def proved_bound(P: Any, decay: float, drives: Mapping[str, float], time: str = 
     1.25
     """
     p = eigenvalues("P", P)
-    gains = tuple(sqrt(one / (decay_share(decay, time) * p[0])) for one in drives.values())
+    share = decay_share(decay, time) * p[0]
+    if share <= 0.0:
+        raise CertificateError(
+            f"the matrices prove no decay beyond rounding: it is {decay:.3g}", field="decay"
+        )
+    gains = tuple(sqrt(one / share) for one in drives.values())
     return ErrorBound(sqrt(p[-1] / p[0]), decay, gains, tuple(drives))
 
 

@@ -22,7 +22,7 @@ from pointpred_observers.numerics.equalities import (
     summed,
     without_rounding,
 )
-from pointpred_observers.numerics.matrices import dimensions, instance, matrix, share
+from pointpred_observers.numerics.matrices import dimensions, flag, instance, matrix, share
 from pointpred_observers.observer import Observer
 from pointpred_observers.plants.documents import PlantDocument
 from pointpred_observers.plants.entries import Document, Functions, Rows, entries
@@ -112,7 +112,8 @@ class InvariantObserver(Observer):
         tolerance: float = TOLERANCE,
     ) -> None:
         plant = as_plant(plant)
-        self.plant, self.injection, self.tolerance = plant, injection, share("tolerance", tolerance)
+        self.plant, self.injection = plant, flag("injection", injection)
+        self.tolerance = share("tolerance", tolerance)
         self._given = {"Pi": Pi, "Upsilon": np.zeros((0, 0)) if Upsilon is None else Upsilon, "B": B}
         self.q = len(matrix("Pi", _at(Pi, 0.0), None, plant.n))
         self._rates: dict[str, Any] = instance("rates", {} if rates is None else rates, dict)
@@ -291,7 +292,7 @@ class InvariantObserver(Observer):
             if np.size(given["Upsilon"])
             else [],
             "B": None if given["B"] is None else entries(matrix("B", given["B"], self.q)),
-            "injection": bool(self.injection),
+            "injection": self.injection,
             "tolerance": self.tolerance,
         }
 

@@ -199,7 +199,7 @@ def _samples(signal: ArrayLike, count: int | None = None) -> FloatArray:
     """A signal of shape (samples, p, n); raises ParameterError for any other or if not finite."""
     try:
         values = np.asarray(signal, np.float64)
-    except (TypeError, ValueError) as unusable:
+    except (TypeError, ValueError, OverflowError) as unusable:
         raise ParameterError(
             f"a signal must be numbers, received {signal!r:.80}", field="signal"
         ) from unusable

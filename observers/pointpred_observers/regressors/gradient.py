@@ -18,7 +18,7 @@ from pointpred.records import FloatArray, FloatTable
 from pointpred.regression import RecursiveLeastSquares, gradient
 from pointpred.regression.least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
-from pointpred_observers.numerics.matrices import TIMES, matrix, one_of
+from pointpred_observers.numerics.matrices import TIMES, matrix, one_of, vector, wrong
 from pointpred_observers.plants import nonlinearity
 from pointpred_observers.plants.nonlinearity import KNOWN
 from pointpred_observers.simulations.result import Simulation
@@ -385,7 +385,7 @@ def _positive(count: int, gain: ArrayLike) -> FloatArray:
 
     try:
         values = np.array(gain, np.float64)
-    except (TypeError, ValueError) as unusable:
+    except (TypeError, ValueError, OverflowError) as unusable:
         raise wrong("be numbers") from unusable
     if values.shape not in ((), (count,), (count, count)) or not np.isfinite(values).all():
         raise wrong(f"be a finite number, {count} or {count} x {count}")
@@ -413,6 +413,11 @@ class Regression(msgspec.Struct, frozen=True):
     weight: Callable[[float], float] | None = None
     f: Any = "atan"
 
+    def __post_init__(self) -> None:
+        for name, one in (("regressor", self.regressor), ("weight", self.weight)):
+            if not callable(one) and (name == "regressor" or one is not None):
+                raise wrong(name, "must be a function of t", one)
+
     def at(self, t: float) -> tuple[FloatArray, FloatArray]:
         """Theta and D at a time."""
         given = self.parameters(t) if callable(self.parameters) else self.parameters
@@ -439,7 +444,7 @@ class Regression(msgspec.Struct, frozen=True):
         weights = np.zeros((len(times), 1))
         if weight is not None:
             f = nonlinearity.nonlinearity(self.f, exact.shape[1])
-            weights[:, 0] = [float(weight(float(t))) for t in times]
+            weights = np.array([vector("weight", weight(float(t)), 1) for t in times])
             exact = (1.0 - weights) * exact + weights * np.array([f(one) for one in exact])
         outputs, estimate = setting.measured(exact), np.full_like(theta, np.nan)
         for i, t in enumerate(times.tolist()):

@@ -97,7 +97,7 @@ class Setting(msgspec.Struct, frozen=True):
     @property
     def silent(self) -> bool:
         """Whether neither noise nor disturbance was asked for."""
-        return self.disturbance is None and not np.any(self.noise)
+        return self.disturbance is None and not matrix("noise", self.noise, 1).any()
 
 
 def run(field: Field, start: FloatArray, times: FloatArray, discrete: bool) -> FloatArray:
@@ -219,15 +219,20 @@ def trajectory(
     if (np.diff(t) <= 0.0).any():
         raise ParameterError("times must increase", field="times")
     x0 = matrix("start", start, 1)[0]
+
+    def change(now: float, x: FloatArray) -> FloatArray:
+        value = field(now, x)
+        return vector("field", value.ravel() if isinstance(value, np.ndarray) else value, len(x0))
+
     with np.errstate(over="ignore", invalid="ignore"):
         if time == "discrete":
-            each = accumulate(t[:-1], lambda x, k: np.asarray(field(k, x), np.float64), initial=x0)
+            each = accumulate(t[:-1], lambda x, k: change(k, x), initial=x0)
             states = np.array(list(each))
         elif len(t) == 1:
             states = np.array([x0])
         else:
             longest = float(np.diff(t).min()) if step_s is None else positive("step_s", step_s)
-            states = _integrated(field, x0, t, longest, tolerance)
+            states = _integrated(change, x0, t, longest, tolerance)
     known = np.isfinite(states).all(axis=1)
     if not known.all():
         raise DivergenceError(f"the trajectory leaves every bound before t = {t[int(known.argmin())]:g}")
@@ -243,7 +248,7 @@ def _integrated(field: Field, x0: FloatArray, t: FloatArray, longest: float, tol
 
     def counted(now: float, x: FloatArray) -> FloatArray:
         nonlocal calls, outside, advanced, furthest
-        change = np.asarray(field(now, x), np.float64)
+        change: FloatArray = field(now, x)
         calls, outside = calls + 1, 0 if np.isfinite(change).all() else outside + 1
         if outside > OUTSIDE_MOST:
             raise DivergenceError(f"the trajectory leaves every bound near t = {now:g}")

@@ -70,7 +70,7 @@ def intervals_of(region: StateRegion, over: Sequence[Any], *, whole: bool = Fals
     for name, pair in named.items():
         try:
             low, high = (float(one) for one in pair)
-        except (TypeError, ValueError) as unusable:
+        except (TypeError, ValueError, OverflowError) as unusable:
             raise wrong(f"{name} needs (low, high)", pair) from unusable
         if not -inf < low <= high < inf:
             raise wrong(f"{name} needs finite low <= high", pair)
