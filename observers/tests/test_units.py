@@ -263,3 +263,12 @@ def test_a_weak_coupling_seen_by_one_output_leaves_the_design_as_it_is(kind: str
     bound = o.design(o.Persidskii(a, C0=[1.0, 1.0, 1.0, 1.0]), kind, decay=0.2).bound
     assert bound.overshoot < 2.0 * alone.overshoot
     assert max(bound.gains) < 2.0 * max(alone.gains)
+
+
+@pytest.mark.parametrize("unit", [1e-10, 1e10])
+def test_a_reduced_order_design_in_units_that_hide_the_rank(unit: float) -> None:
+    """In them the rows of Pi and C0 look dependent; the design of balanced units stands."""
+    plant = Persidskii([[0.0, 1.0], [-1.0, -1.0]], C0=[[unit, 0.0]])
+    design = ReducedOrderObserver.design(plant, decay=2.0)
+    upsilon, pi = design.observer.at(0.0).Z[0]
+    assert upsilon / pi == pytest.approx(-2.0, rel=1e-3)
