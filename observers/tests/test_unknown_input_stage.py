@@ -157,22 +157,14 @@ def test_an_unknown_input_that_stays_is_bridged_without_error() -> None:
             assert estimate.d[0] == pytest.approx(0.8, abs=1e-3)
 
 
-def test_a_schedule_may_be_a_dict() -> None:
-    stages = [observed(np.eye(2, 3)).stage() for _ in range(2)]
-    for i in range(5):
-        one = sample(0.1 * i, [np.sin(i), 0.5], -0.1 * i / 5.0)
-        other = msgspec.structs.replace(one, schedule=dict(one.schedule(np.zeros(3))))
-        found = [stage.update(each).x.tobytes() for stage, each in zip(stages, (one, other), strict=True)]
-        assert found[0] == found[1]
-
-
 def test_what_the_caller_writes_into_afterwards_changes_nothing() -> None:
+    """Also: a schedule may be a dict, or a function as that of ``sample``."""
     stage, twin = observed(PART).stage([1.0, 2.0, 3.0]), observed(PART).stage([1.0, 2.0, 3.0])
     y, known, schedule = np.zeros(2), np.zeros(3), {"k": 0.0}
     for i in range(5):
         y[:], known[:], schedule["k"] = np.sin(i), np.cos(i), -0.1 * i
         estimate = stage.update(UnknownInputSample(0.1 * i, y, known, schedule))
-        wanted = twin.update(UnknownInputSample(0.1 * i, y.copy(), known.copy(), dict(schedule)))
+        wanted = twin.update(sample(0.1 * i, y, schedule["k"], known))
         assert estimate.x.tobytes() == wanted.x.tobytes()
         assert estimate.d.tobytes() == wanted.d.tobytes()
         estimate.x[:] = estimate.d[:] = 1e6
