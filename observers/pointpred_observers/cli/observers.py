@@ -92,8 +92,8 @@ def design(
     driven: the plant follows a generator whose state is estimated. regulator: the estimate drives the plant.
     unknown-input: parameter-varying plants with inputs that nobody measures. interlaced: plants as equations.
 
-    A plant that allows no observer is refused with the reason, such as a mode that the outputs do not show,
-    and exit code 1.
+    Where no gain satisfies the inequalities, the plant is refused with the reason, such as a mode that the
+    outputs do not show, and exit code 1.
 
     Try:
 

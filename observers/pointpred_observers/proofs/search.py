@@ -86,7 +86,7 @@ def least_in_both(
 
     ``size`` is a logarithm, or several, all of which must be smaller; without it the user's units are tried
     only where the balanced ones fail. Where both fail it raises what ``attempt`` raised in balanced units,
-    InfeasibleError only where both did.
+    InfeasibleError only where both did, or where the user's units do not allow the problem to be posed.
     """
     found, failures = [], []
     for one in (units, units.plain):

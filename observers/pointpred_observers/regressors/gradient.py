@@ -458,9 +458,7 @@ class Regression(msgspec.Struct, frozen=True):
                 estimate[i] = np.nan if values is None else values  # None before they are determined
         none = np.zeros((len(times), 0))
         names = tuple(f"theta{i + 1}" for i in range(theta.shape[1]))
-        return Simulation(
-            times, theta, estimate, outputs, none, names, title, False, none, none, none, none, np.zeros(0)
-        )
+        return Simulation(times, theta, estimate, outputs, none, names, title, False)
 
 
 TITLES: dict[type, str] = {

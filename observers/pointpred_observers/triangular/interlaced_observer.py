@@ -328,12 +328,11 @@ class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
         outputs = setting.measured(outputs_of(system, state))
         stage = self.stage(start=setting.begin(q, "estimate", 0.0))
         answers = stage.walk(np.zeros(len(times), np.bool_), np.column_stack([times, outputs]))
-        none = np.zeros((len(times), 0))
         names = tuple(str(one) for one in (*system.states, *system.zero))
         pushed = steady.function()(driving.T)[-1][:, None]
         return Simulation(
-            times, state, answers[:, q:-1], outputs, pushed, names, "interlaced observer", False, none, none,
-            driving, answers[:, :q], np.zeros(0),
+            times, state, answers[:, q:-1], outputs, pushed, names, "interlaced observer", False,
+            driving=driving, driving_estimate=answers[:, :q],
         )  # fmt: skip
 
     def document(self) -> InterlacedDocument:

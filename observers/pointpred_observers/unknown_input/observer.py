@@ -278,10 +278,9 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
                 "proved of the error does not cover them",
                 stacklevel=3,
             )
-        none = np.zeros((len(times), 0))
         return Simulation(
             times, state, estimate, outputs, inputs, tuple(f"x{i + 1}" for i in range(n)),
-            "unknown-input observer", discrete, unknown, found, none, none, np.zeros(0),
+            "unknown-input observer", discrete, unknown, found,
         )  # fmt: skip
 
     def document(self) -> UnknownInputDocument:
