@@ -81,17 +81,21 @@ KEPT = """{
   const region = document.querySelector("#live-card-0 [data-of=region]");
   window.kept = { picture: null, marks: null, px: null, said: [], cut: false };
   new MutationObserver(([{ oldValue }]) => {
-    if (canvas.dataset.drawn === oldValue) return;
+    if (canvas.dataset.drawn === oldValue || canvas.dataset.shows !== "pointer") return;
     const marks = JSON.parse(canvas.dataset.regions);
     const { px } = region.dataset;
     if (marks[0]?.opacity === 1) Object.assign(kept, { picture: canvas.toDataURL(), marks, px });
   }).observe(canvas, { attributeFilter: ["data-drawn"], attributeOldValue: true });
   new MutationObserver(() => {
+    if (canvas.dataset.shows !== "pointer") return;
     kept.said.push(region.textContent);
     kept.cut ||= region.scrollWidth > region.clientWidth;
   }).observe(region, { childList: true });
 }"""
-"""Keeps the last picture with an endpoint that does not fade, and the words on its region: both soon go."""
+"""Keeps the last picture with an endpoint that does not fade, and the words on its region: both soon go.
+
+The demo, which draws endpoints until somebody moves, is left out.
+"""
 FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 
 
