@@ -24,7 +24,7 @@ from pointpred_observers.plants.nonlinearity import KNOWN
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 
-CONTINUOUS, DISCRETE, NORMALISED, NONLINEAR = 0.0, 1.0, 2.0, 3.0
+CONTINUOUS, DISCRETE, NONLINEAR = 0.0, 1.0, 2.0
 """Kinds of law, as stored in the memory."""
 TAKEN, BACKWARDS, TOO_STEEP, UNUSABLE = 0, 1, 2, 3
 """Results of a step."""
@@ -126,8 +126,8 @@ def flow(s: Parts, h: float) -> None:
 
 
 @law
-def jump(s: Parts, share: float) -> None:
-    """One step of (3.58) with ``share`` of the gain; the outputs of the sample become their errors."""
+def jump(s: Parts) -> None:
+    """One step of (3.58); the outputs of the sample become their errors."""
     n = len(s.start)
     sample = sample_of(s.between, n)
     for row in range(len(sample.y)):
@@ -137,7 +137,7 @@ def jump(s: Parts, share: float) -> None:
         for i in range(n):
             for j in range(n):
                 way = s.gain[i, j] * sample.D[row, j]
-                s.theta[i] += share * way * sample.y[row]
+                s.theta[i] += way * sample.y[row]
 
 
 @law
@@ -207,11 +207,11 @@ def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
         for i in range(steps):
             bend(memory.code, s, new, i / steps, 1.0 / steps, h)
     else:
-        if memory.kind == DISCRETE and not steep < 2.0:
+        if not steep < 2.0:
             return TOO_STEEP
         for i in range(len(s.last)):
             s.between[i] = new[i]
-        jump(s, 1.0 / (1.0 + steep) if memory.kind == NORMALISED else 1.0)
+        jump(s)
     for i in range(len(s.last)):
         s.last[i] = new[i]
     s.clock[0], s.clock[1] = 1.0, row[0]
@@ -276,7 +276,7 @@ class GradientRegressor(_Estimator):
     Continuous (3.46): theta' = G D'(y - D theta), with D and y linear between two samples; of
     second order in the interval, exact in theta for one output, and no gain is too large.
     Discrete (3.58): theta += G D'(y - D theta), refused if the trace of D G D' reaches 2, because the error
-    could then grow; ``normalised`` divides G by 1 + trace(D G D'), so that no sample is refused.
+    could then grow.
 
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` p, 1 to 32; ``gain`` G, a positive
     number, n of them or a positive definite matrix, in 1/s over the square of the regressor's unit
@@ -297,18 +297,15 @@ class GradientRegressor(_Estimator):
 
     gain: ArrayLike = option("the gain G: a number, one for each constant, or a matrix", default=1.0)
     time: Literal["continuous", "discrete"] = option("'continuous' or 'discrete'", default="continuous")
-    normalised: bool = option("whether each step divides the gain by 1 + trace(D G D')", default=False)
 
     def declare(self, **values: Any) -> None:
-        """Check the values and their combinations."""
+        """Check the values."""
         super().declare(**values)
         one_of("time", self.time, TIMES)
-        if self.normalised and self.time == "continuous":
-            raise ParameterError("normalised needs time='discrete'", field="normalised", value=True)
 
     def settings(self) -> FloatArray:
         """The beginning of the memory."""
-        kind = CONTINUOUS if self.time == "continuous" else NORMALISED if self.normalised else DISCRETE
+        kind = CONTINUOUS if self.time == "continuous" else DISCRETE
         return self._settings(0, kind, _positive(int(self.count), self.gain))
 
     def update(self, regressor: ArrayLike, output: ArrayLike, t: float | None = None) -> FloatArray:
@@ -320,10 +317,8 @@ class GradientRegressor(_Estimator):
         if t is None and self.time == "continuous":
             raise EventError("the continuous law needs the time of every sample, received t=None", field="t")
         if (estimate := self._taken(t, regressor=regressor, output=output)) is None:
-            told = f"received regressor {regressor!r}: choose a smaller gain or normalised=True"
-            raise EventError(
-                f"the trace of D G D' must lie below 2, {told}", field="regressor", value=regressor
-            )
+            told = f"must lie below 2, received regressor {regressor!r}: choose a smaller gain"
+            raise EventError(f"the trace of D G D' {told}", field="regressor", value=regressor)
         return estimate
 
 
