@@ -374,21 +374,17 @@ class NonlinearRegressor(_Estimator):
 
 def _positive(count: int, gain: ArrayLike) -> FloatArray:
     """A gain as a matrix; raises ParameterError unless it is symmetric and positive definite."""
-
-    def wrong(must: str) -> ParameterError:
-        return ParameterError(f"gain must {must}, received {gain!r}", field="gain", value=gain)
-
     try:
         values = np.array(gain, np.float64)
     except (TypeError, ValueError, OverflowError) as unusable:
-        raise wrong("be numbers") from unusable
+        raise wrong("gain", "must be numbers", gain) from unusable
     if values.shape not in ((), (count,), (count, count)) or not np.isfinite(values).all():
-        raise wrong(f"be a finite number, {count} or {count} x {count}")
+        raise wrong("gain", f"must be a finite number, {count} or {count} x {count}", gain)
     square = values if values.ndim == 2 else np.diag(np.broadcast_to(values, count))
     if np.abs(square - square.T).max() > 1e-12 * np.abs(square).max():
-        raise wrong("be symmetric")
+        raise wrong("gain", "must be symmetric", gain)
     if (least := float(np.linalg.eigvalsh(square).min())) <= 0.0:
-        raise wrong(f"be positive definite, its least eigenvalue is {least:g}")
+        raise wrong("gain", f"must be positive definite, its least eigenvalue is {least:g}", gain)
     return square
 
 

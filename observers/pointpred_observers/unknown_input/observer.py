@@ -117,11 +117,8 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         if output_decay is not None:
             positive("output_decay", output_decay)
             if discrete:
-                raise ParameterError(
-                    "a discrete observer has no output_decay: errors of the outputs end at the next step",
-                    field="output_decay",
-                    value=output_decay,
-                )
+                words = "a discrete observer has no output_decay: errors of the outputs end at the next step"
+                raise ParameterError(words, field="output_decay", value=output_decay)
         system.checked(box)
         system = system.weighted(box)
         zeros = invariant_zeros(system, box)
@@ -183,11 +180,8 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         gammas, ts = system.at_vertices(box)
         wanted = (len(ts), *system.c.T.shape)
         if np.shape(gains) != wanted or not np.isfinite(gains).all():
-            raise ParameterError(
-                f"gains need shape {wanted}, one matrix a vertex, and finite numbers, received shape "
-                f"{np.shape(gains)}",
-                field="gains",
-            )
+            needs = f"need shape {wanted}, one matrix a vertex, and finite numbers, received shape"
+            raise ParameterError(f"gains {needs} {np.shape(gains)}", field="gains")
         zeros = invariant_zeros(system, box)
         proof = audit(gammas, ts, system.c, P, gains, force, decay, zeros, system.time)
         return cls(system, box, np.asarray(gains, np.float64), msgspec.structs.replace(proof, gap=gap))
