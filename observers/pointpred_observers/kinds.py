@@ -20,7 +20,6 @@ from pointpred_observers.plants.persidskii import Persidskii
 from pointpred_observers.plants.symbolic import SymbolicSteadyState, SymbolicSystem
 from pointpred_observers.plants.varying import ParameterVaryingSystem
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
-from pointpred_observers.regressors.gradient import Regression
 from pointpred_observers.simulations.result import Simulation
 from pointpred_observers.simulations.signals import Setting
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
@@ -145,8 +144,7 @@ def simulate(
 
     The plant is integrated by an adaptive method, the observer is the stage that a program runs, sample by
     sample; the u of a regulator at a sample acts until the next. The plant need not be the one of the design:
-    give another to see what a wrong model does. A ``Generator`` is a regulator of given matrices. The plant
-    of a regressor is a ``Regression``.
+    give another to see what a wrong model does. A ``Generator`` is a regulator of given matrices.
 
     Parameters: ``times`` of the samples in s, by default 10 s in steps of 10 ms; of a discrete plant its
     indices, by default 0 to 1000. ``start`` of the plant, by default ones: x; for a driven observer x or x
@@ -179,9 +177,6 @@ def simulate(
         if isinstance(observer, Generator):
             one = as_plant(plant)
             return closed(one, observer, steady_state_map(one, observer).Pi, setting)
-        if isinstance(plant, Regression):
-            return plant.simulated(observer, setting)
     advice = ": the state of a field over time is trajectory(field, start, times)" if callable(plant) else ""
-    pairs = "an Observer or a Generator with its plant, and a regressor with a Regression"
-    words = f"can simulate {pairs}, received {type(observer).__name__}{advice}"
+    words = f"can simulate an Observer or a Generator, received {type(observer).__name__}{advice}"
     raise ParameterError(words, field="observer", value=observer)

@@ -23,6 +23,8 @@ class Observer:
 
     __slots__ = ()
     kind: ClassVar[str]
+    certificate: Any = None
+    """The proof where it is one: its ``margins``, ``bound``, ``P`` and ``gap`` are those of the design."""
 
     @property
     def plant(self) -> Any:
@@ -32,17 +34,17 @@ class Observer:
     @property
     def margins(self) -> dict[str, float]:
         """How far each inequality holds."""
-        return {}
+        return {} if self.certificate is None else self.certificate.margins
 
     @property
     def gap(self) -> float:
         """How far the design could be from the best one, relative."""
-        return float("inf")
+        return float("inf") if self.certificate is None else self.certificate.gap
 
     @property
     def bounds(self) -> dict[str, ErrorBound]:
         """What is proved, by what it bounds: the "error", and of a regulator "x - Pi w" and "Pi w"."""
-        return {}
+        return {} if self.certificate is None else {"error": self.certificate.bound}
 
     @property
     def bound(self) -> ErrorBound:
@@ -52,7 +54,7 @@ class Observer:
     @property
     def lyapunov(self) -> dict[str, FloatArray]:
         """The P of the inequalities, by how the names of their margins begin."""
-        raise NotImplementedError
+        return {"": self.certificate.P}
 
     @property
     def chosen(self) -> dict[str, FloatArray]:

@@ -17,7 +17,7 @@ from pointpred_observers.plants.varying import (
 from pointpred_observers.proofs.error_system import ErrorSystem, certify_decay, l2_gain
 from pointpred_observers.reduced_order.reversed_connection import invariant_observer
 from pointpred_observers.regressors.excitation import persistent_excitation
-from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor, Regression
+from pointpred_observers.regressors.gradient import GradientRegressor, NonlinearRegressor
 from pointpred_observers.simulations.signals import trajectory
 from pointpred_observers.triangular.forms import interlaced
 from pointpred_observers.unknown_input.stage import UnknownInputSample
@@ -33,7 +33,6 @@ __all__ = [
     "ParameterVaryingSystem",
     "Persidskii",
     "RecursiveLeastSquares",
-    "Regression",
     "SymbolicGenerator",
     "SymbolicSystem",
     "UnknownInputSample",

@@ -71,7 +71,7 @@ def test_gains_that_overflow_are_refused_in_words(entry: float, time: str) -> No
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         with pytest.raises((CertificateError, ParameterError), match=r"too large|\(27c\) has the eigenvalue"):
-            UnknownInputObserver.certified(system, system.box, gains, proof.p, proof.force, proof.decay)
+            UnknownInputObserver.certified(system, system.box, gains, proof.P, proof.force, proof.decay)
 
 
 @pytest.mark.parametrize("push", [1.0, 1e12])

@@ -38,7 +38,7 @@ def answers(images):
     assert track.running.any()
     return {
         "gradient": GradientRegressor(2, gain=[[2.0, 0.5], [0.5, 1.0]]).walk(begin, both),
-        "discrete": GradientRegressor(2, gain=0.3, time="discrete", normalised=True).walk(begin, both),
+        "discrete": GradientRegressor(2, gain=0.1, time="discrete").walk(begin, both),
         "nonlinear": NonlinearRegressor(2, gain=9.0).walk(begin, np.column_stack([both, weight])),
         "observer": observer.stage().walk(begin, np.column_stack([t, d, d[::-1]])),
         "continuous": stage("continuous").walk(begin, np.column_stack([t, y])),

@@ -161,26 +161,6 @@ def test_an_interlaced_plant() -> None:
     assert np.allclose(result.input[:, 0], exact[:, 1] + np.sin(exact[:, 0]), atol=1e-6)
 
 
-def test_a_gradient_regressor_follows_its_exponential() -> None:
-    one = o.Regression([2.0], lambda t: [1.0])
-    result = o.simulate(one, o.GradientRegressor(1, gain=3.0), times=TIMES)
-    assert np.allclose(result.estimate[:, 0], 2.0 * (1.0 - np.exp(-3.0 * TIMES)), atol=1e-9)
-
-
-def test_every_regressor_finds_the_constants() -> None:
-    line = o.Regression([3.0, 5.0], lambda t: [1.0, np.sin(3.0 * t)], weight=lambda t: 0.0)
-    times = np.arange(0.0, 20.0, 0.02)
-    for stage in (
-        o.GradientRegressor(2, gain=3.0),
-        o.NonlinearRegressor(2, gain=3.0),
-        o.RecursiveLeastSquares(2),
-    ):
-        result = o.simulate(line, stage, times=times)
-        assert np.allclose(result.estimate[-1], [3.0, 5.0], atol=1e-3), type(stage)
-        again = o.simulate(line, stage, times=times)  # the stage itself is not moved
-        assert np.array_equal(result.estimate, again.estimate, equal_nan=True)
-
-
 def test_a_plant_that_is_stiff_or_slow() -> None:
     stiff = o.Persidskii([[-1e5, 1e5], [0.0, -1.0]], None, None, "sin", C0=[0.0, 1.0])
     result = o.simulate(stiff, o.design(stiff, "reduced", decay=2.0), times=TIMES)

@@ -202,7 +202,7 @@ def of_unknown_input(coupling: float) -> dict[str, float]:
     c, f = np.eye(5)[[0, 2, 4]], np.eye(5)[:, 4:]
     system = o.ParameterVaryingSystem(moved, f, c)
     design = UnknownInputObserver.design(system, o.Box({"k": (-1.0, 0.0)}), 1.0)
-    condition = float(np.sqrt(np.linalg.cond(design.certificate.p)))
+    condition = float(np.sqrt(np.linalg.cond(design.certificate.P)))
     return {"gain": float(np.abs(design.gains).max()), "overshoot": condition}
 
 

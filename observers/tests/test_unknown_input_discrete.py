@@ -38,8 +38,8 @@ def test_a_certificate_in_closed_form() -> None:
     """The hidden state decays by 0.6 a step: gamma = P (1 + 0.36 / (e^-0.4 - 0.36)) for its disturbance."""
     one = design(*TWO, decay=0.2).certificate
     left = np.exp(-0.4)
-    assert one.gamma / one.p[1, 1] == pytest.approx(1.001 * left / (left - 0.36), rel=1e-6)
-    assert one.phi2**2 == pytest.approx(one.gamma / ((1.0 - left) * np.linalg.eigvalsh(one.p)[0]))
+    assert one.gamma / one.P[1, 1] == pytest.approx(1.001 * left / (left - 0.36), rel=1e-6)
+    assert one.phi2**2 == pytest.approx(one.gamma / ((1.0 - left) * np.linalg.eigvalsh(one.P)[0]))
     assert one.largest_decay == pytest.approx(-np.log(0.6))
     assert one.zeros.tolist() == [[0.6]]
     assert one.bound(3.0, 1.0) == pytest.approx(one.phi1 * np.exp(-0.6))

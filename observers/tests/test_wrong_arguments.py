@@ -18,7 +18,6 @@ from pointpred_observers.interconnected.persidskii_stage import MissingInputs, P
 from pointpred_observers.interconnected.regulator import Regulator
 from pointpred_observers.plants.linear_systems import as_plant
 from pointpred_observers.reduced_order.design import ReducedOrderObserver
-from pointpred_observers.regressors.gradient import Regression
 from pointpred_observers.triangular.interlaced_observer import InterlacedObserver
 from pointpred_observers.triangular.interlaced_observer import certify as certify_interlaced
 from pointpred_observers.unknown_input.observer import UnknownInputObserver
@@ -162,10 +161,6 @@ def follow(reference: Any) -> Any:
     return o.design(LINEAR, "regulator", reference=reference, following=([[1.0, 0.0]], [[1.0]]))
 
 
-def regression(regressor: Any, weight: Any = None) -> Any:
-    return o.simulate(Regression([1.0, 2.0], regressor, weight), o.NonlinearRegressor(2), times=[0.0, 0.1])
-
-
 NAMED: list[tuple[str, Any]] = [
     ("A0", lambda: o.Persidskii([[HUGE]])),
     ("decay", lambda: o.design(LINEAR, decay=HUGE)),
@@ -177,9 +172,6 @@ NAMED: list[tuple[str, Any]] = [
     ("reference", lambda: follow("x")),
     ("reference", lambda: follow(LINEAR)),
     ("noise", lambda: o.simulate(**RUN | {"disturbance": None, "noise": [[1, 2], [3]]})),
-    ("regressor", lambda: regression(None)),
-    ("weight", lambda: regression(lambda t: [1.0, t], "")),
-    ("weight", lambda: regression(lambda t: [1.0, t], lambda t: "x")),
     ("field", lambda: o.trajectory(lambda t, x: "x", [1.0], [0.0, 1.0])),
     ("field", lambda: o.trajectory(lambda t, x: [1.0, 2.0], [1.0], [0.0, 1.0], time="discrete")),
     (

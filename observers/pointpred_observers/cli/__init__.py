@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from io import TextIOWrapper
 from pathlib import Path
 from typing import Any
 
 import typer
 
+from pointpred.cli.output_files import write_json
 from pointpred.cli.reading_options import check_exists
 from pointpred.files import whole
 from pointpred.records import FloatArray
@@ -23,6 +24,14 @@ def option(metavar: str, help: str) -> Any:
 def existing(help: str) -> Any:
     """An argument that names a file, which must exist."""
     return typer.Argument(callback=check_exists, dir_okay=False, help=help)
+
+
+def answer(json: Path | None, document: Callable[[], Any], show: Callable[[], None]) -> None:
+    """Write the document of ``--json`` where it is wanted, and print unless that goes to standard output."""
+    if json is not None:
+        write_json(document(), json)
+    if json is None or str(json) != "-":
+        show()
 
 
 def write_table(target: Path, names: Iterable[str], rows: FloatArray) -> None:

@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from pointpred.cli.output_files import (
-    Force,
-    Numbers,
-    Seed,
-    check_free,
-    check_target,
-    check_targets,
-    write_json,
-)
+from pointpred.cli.output_files import Force, Numbers, Seed, check_free, check_target, check_targets
 from pointpred.console import counted, remarks
 from pointpred.errors import ParameterError
-from pointpred_observers.cli import existing, option, write_table
+from pointpred_observers.cli import answer, existing, option, write_table
 
 app = typer.Typer(no_args_is_help=True)
 Focal = Annotated[float, option("PX", "Focal length in px; there is no default.")]
@@ -110,10 +103,7 @@ def run(
     if plot is not None:
         files.plot(estimates, truths, plot, f"{samples.name}, focal length {focal_px:g} px")
         remarks().print(f"{plot}")
-    if json is not None:
-        write_json(files.summary(estimates, errors), json)
-    if json is None or str(json) != "-":
-        files.show(estimates, errors)
+    answer(json, partial(files.summary, estimates, errors), partial(files.show, estimates, errors))
 
 
 def _pipeline(focal_px: float, start: str, noise: float) -> Any:

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import warnings
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pointpred.cli.output_files import Force, Numbers, Seed, check_targets, write_json
+from pointpred.cli.output_files import Force, Numbers, Seed, check_targets
 from pointpred.console import remark, remarks
 from pointpred.errors import ParameterError
 from pointpred.extras import require
 from pointpred.files import write_whole
-from pointpred_observers.cli import existing, option
+from pointpred_observers.cli import answer, existing, option
 
 if TYPE_CHECKING:
     from pointpred_observers.simulations.result import Simulation
@@ -123,10 +124,7 @@ def design(
         # Slopes stand in the file of the plant and in no option, so the file is where to mend them.
         raise ParameterError(f"{plant}: {wrong}", code=wrong.code, field=wrong.field) from wrong
     save(made, target)
-    if json is not None:
-        write_json(summary(made), json)
-    if json is None or str(json) != "-":
-        print_design(made)
+    answer(json, partial(summary, made), partial(print_design, made))
     remarks().print(f"written: {target}. See it run: pointpred observers simulate {target}")
 
 
@@ -147,10 +145,7 @@ def audit(design: DesignFile, json: Numbers = None, force: Force = False) -> Non
 
     made = design_of(design)
     margins = audited(made)
-    if json is not None:
-        write_json(summary(made), json)
-    if json is None or str(json) != "-":
-        print_audit(made, margins)
+    answer(json, partial(summary, made), partial(print_audit, made, margins))
 
 
 @app.command()
@@ -202,10 +197,7 @@ def simulate(
         result.plot(plot)
     if out is not None:
         results.write_signals(result, out)
-    if json is not None:
-        write_json(results.errors_document(result), json)
-    if json is None or str(json) != "-":
-        results.print_errors(result)
+    answer(json, partial(results.errors_document, result), partial(results.print_errors, result))
     for target in (plot, out):
         if target is not None:
             remarks().print(f"written: {target}")

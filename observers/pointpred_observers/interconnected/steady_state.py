@@ -26,7 +26,7 @@ from pointpred_observers.numerics.equalities import (
     stacked,
     summed,
 )
-from pointpred_observers.numerics.matrices import flag, instance, listed, matrix, moments, share
+from pointpred_observers.numerics.matrices import flag, instance, listed, matrix, moments, share, wrong
 from pointpred_observers.plants.generator import Generator, fitted, require_same_nonlinearity
 from pointpred_observers.plants.linear_systems import Plant, as_plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
@@ -283,9 +283,7 @@ def regulator_equations(
         following = [[0.0] * one.n], [[0.0] * g.q]
     pair = listed("following", following)
     if len(pair) != 2:
-        raise ParameterError(
-            f"following must be (R, F) with R x to follow F w, received {following!r}", field="following"
-        )
+        raise wrong("following", "must be (R, F) with R x to follow F w", following)
     rows = matrix("R", pair[0], None, one.n)
     problem = _Regulation(one, g.S0, g.S1, rows, matrix("F", pair[1], len(rows), g.q))
     nearest = nearest_solutions(lambda numbers: stacked(problem.left(numbers)), problem.count)

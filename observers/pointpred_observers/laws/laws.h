@@ -283,7 +283,7 @@ static inline double plants_nonlinearity_value(double code, double s);
 void regression_gradient_descend_along(Vector theta, Vector w, Table gain, double output, double h);
 void regressors_gradient_bend(double code, regressors_gradient_Parts s, Vector new, double begin, double h, double dt);
 void regressors_gradient_flow(regressors_gradient_Parts s, double h);
-void regressors_gradient_jump(regressors_gradient_Parts s, double share);
+void regressors_gradient_jump(regressors_gradient_Parts s);
 regressors_gradient_Parts regressors_gradient_parts_of(regressors_gradient_Memory * memory);
 regressors_gradient_Sample regressors_gradient_sample_of(Vector numbers, int64_t n);
 void regressors_gradient_slope(double code, regressors_gradient_Parts s);

@@ -1384,10 +1384,9 @@ static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *ar
   Held held;
   const Py_buffer *view;
   regressors_gradient_Parts a0;
-  double a1;
   (void)self, (void)view;
   held.count = 0;
-  if (!(counted(law, count, 2)
+  if (!(counted(law, count, 1)
         && take_tuple(args[0], law, "s", 9)
         && take_array(&held, PyTuple_GetItem(args[0], 0), law, "s", 'd', 1, true, &view)
         && (a0.start = (Vector){view->buf, view->shape[0]}, true)
@@ -1406,10 +1405,9 @@ static PyObject *py_regressors_gradient_jump(PyObject *self, PyObject *const *ar
         && take_array(&held, PyTuple_GetItem(args[0], 7), law, "s", 'd', 1, true, &view)
         && (a0.change = (Vector){view->buf, view->shape[0]}, true)
         && take_array(&held, PyTuple_GetItem(args[0], 8), law, "s", 'd', 1, true, &view)
-        && (a0.total = (Vector){view->buf, view->shape[0]}, true)
-        && take_double(args[1], &a1)))
+        && (a0.total = (Vector){view->buf, view->shape[0]}, true)))
     return let_go(&held);
-  Py_BEGIN_ALLOW_THREADS regressors_gradient_jump(a0, a1); Py_END_ALLOW_THREADS
+  Py_BEGIN_ALLOW_THREADS regressors_gradient_jump(a0); Py_END_ALLOW_THREADS
   let_go(&held);
   return (Py_IncRef(Py_None), Py_None);
 }

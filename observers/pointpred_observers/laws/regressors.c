@@ -3,9 +3,7 @@
 
 static const int64_t regressors_gradient_BACKWARDS = 1;
 static const double regressors_gradient_CONTINUOUS = 0.0;
-static const double regressors_gradient_DISCRETE = 1.0;
-static const double regressors_gradient_NONLINEAR = 3.0;
-static const double regressors_gradient_NORMALISED = 2.0;
+static const double regressors_gradient_NONLINEAR = 2.0;
 static const int64_t regressors_gradient_STEPS_MOST = 10000;
 static const double regressors_gradient_STEP_MOST = 0.5;
 static const int64_t regressors_gradient_TAKEN = 0;
@@ -63,8 +61,8 @@ void regressors_gradient_flow(regressors_gradient_Parts s, double h) {
   }
 }
 
-/* One step of (3.58) with ``share`` of the gain; the outputs of the sample become their errors. */
-void regressors_gradient_jump(regressors_gradient_Parts s, double share) {
+/* One step of (3.58); the outputs of the sample become their errors. */
+void regressors_gradient_jump(regressors_gradient_Parts s) {
   int64_t n;
   regressors_gradient_Sample sample;
   double way;
@@ -79,7 +77,7 @@ void regressors_gradient_jump(regressors_gradient_Parts s, double share) {
     for (int64_t i = 0; i < n; i++) {
       for (int64_t j = 0; j < n; j++) {
         way = s.gain.p[i * s.gain.m + j] * sample.D.p[row * sample.D.m + j];
-        s.theta.p[i] += share * way * sample.y.p[row];
+        s.theta.p[i] += way * sample.y.p[row];
       }
     }
   }
@@ -180,13 +178,13 @@ int64_t regressors_gradient_step(regressors_gradient_Memory * memory, Vector row
       regressors_gradient_bend(memory->code, s, new, (double)i / steps, 1.0 / steps, h);
     }
   } else {
-    if (memory->kind == regressors_gradient_DISCRETE && !(steep < 2.0)) {
+    if (!(steep < 2.0)) {
       return regressors_gradient_TOO_STEEP;
     }
     for (int64_t i = 0, end_2 = s.last.n; i < end_2; i++) {
       s.between.p[i] = new.p[i];
     }
-    regressors_gradient_jump(s, memory->kind == regressors_gradient_NORMALISED ? 1.0 / (1.0 + steep) : 1.0);
+    regressors_gradient_jump(s);
   }
   for (int64_t i = 0, end_3 = s.last.n; i < end_3; i++) {
     s.last.p[i] = new.p[i];

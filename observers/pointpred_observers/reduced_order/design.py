@@ -28,7 +28,6 @@ from pointpred_observers.observer import Observer
 from pointpred_observers.plants.entries import Functions, Values, finite, gap_of, matrices_of, plain
 from pointpred_observers.plants.linear_systems import Plant, constant
 from pointpred_observers.plants.persidskii import Persidskii
-from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.matrix_inequalities import MatrixInequalities
 from pointpred_observers.proofs.search import WORSE, cover, filter_start, least_in_both, middle
@@ -52,7 +51,7 @@ GAMMAS = (1.0, 1e-2)
 
 
 class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
-    """A reduced-order observer, its Upsilon, and its certificate.
+    """A reduced-order observer, its Upsilon, and its certificate, which bounds w^ - (Pi x + Upsilon y).
 
     ``gap``: how far the least size of Upsilon in balanced units could lie below that of this one, relative to
     it; infinite if nothing is proved, 0 where the equalities leave no choice.
@@ -70,16 +69,6 @@ class ReducedOrderObserver(Observer, msgspec.Struct, frozen=True):
         """The plant."""
         plant: Persidskii = self.observer.plant
         return plant
-
-    @property
-    def margins(self) -> dict[str, float]:
-        """Those of Theorem 3.3.1, in discrete time 3.3.2."""
-        return self.certificate.margins
-
-    @property
-    def bounds(self) -> dict[str, ErrorBound]:
-        """The bound of w^ - (Pi x + Upsilon y)."""
-        return {"error": self.certificate.bound}
 
     @property
     def lyapunov(self) -> dict[str, FloatArray]:

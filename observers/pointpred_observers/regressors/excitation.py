@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from pointpred.errors import ParameterError, UndecidedError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray
-from pointpred_observers.numerics.matrices import TIMES, matrix, one_of, positive, vector
+from pointpred_observers.numerics.matrices import TIMES, matrix, one_of, positive, vector, wrong
 
 PASSES_MOST = 200
 """Most passes over a record in which P of Theorem 3.3.3 must settle."""
@@ -60,11 +60,7 @@ def persistent_excitation(
     else:
         phi = _samples(signal)
         if isinstance(window, bool) or not isinstance(window, int) or not 1 <= window <= len(phi):
-            raise ParameterError(
-                f"window must be a whole number in [1, {len(phi)}], received {window!r}",
-                field="window",
-                value=window,
-            )
+            raise wrong("window", f"must be a whole number in [1, {len(phi)}]", window)
         total = np.zeros((len(phi) + 1, *phi.shape[2:] * 2))
         total[1:] = np.cumsum(np.einsum("kpi,kpj->kij", phi, phi), axis=0)
         starts, sums = np.arange(len(phi) - window + 1.0), total[window:] - total[:-window]
@@ -157,7 +153,7 @@ def regression_margin(
     gain, flattest = positive("gain", gain), positive("flattest", flattest, zero=True)
     for name, shares in (("weight", d1), ("flattest", np.array([flattest]))):
         if not ((shares >= 0.0) & (shares <= 1.0)).all():
-            raise ParameterError(f"{name} must lie in [0, 1], received {shares.tolist()}", field=name)
+            raise wrong(name, "must lie in [0, 1]", shares.tolist())
     squares = np.einsum("kri,krj->kij", j, j)
     middle, h = 0.5 * (squares[:-1] + squares[1:]), np.diff(times)
     values, vectors = np.linalg.eigh(middle)
@@ -222,11 +218,7 @@ def _within(times: FloatArray, window: float) -> float:
     """The window; raises ParameterError for one that is not within the record."""
     length = float(times[-1] - times[0])
     if not is_number(window) or not 0.0 < window <= length:
-        raise ParameterError(
-            f"window must lie in (0, {length:g}] s, the record, received {window!r}",
-            field="window",
-            value=window,
-        )
+        raise wrong("window", f"must lie in (0, {length:g}] s, the record", window)
     return float(window)
 
 

@@ -2,29 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import ceil, inf
 from typing import Annotated, Any, Literal, NamedTuple
 
-import msgspec
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.compiled import law
-from pointpred.errors import EventError, ParameterError
+from pointpred.errors import EventError
 from pointpred.layout import Layout
 from pointpred.parameter import option, parameter
 from pointpred.records import FloatArray, FloatTable
-from pointpred.regression import RecursiveLeastSquares, gradient
+from pointpred.regression import gradient
 from pointpred.regression.least_squares import moment, starting
 from pointpred.stage import CompiledStage, loop_into
-from pointpred_observers.numerics.matrices import TIMES, matrix, one_of, vector, wrong
+from pointpred_observers.numerics.matrices import TIMES, one_of, wrong
 from pointpred_observers.plants import nonlinearity
 from pointpred_observers.plants.nonlinearity import KNOWN
-from pointpred_observers.simulations.result import Simulation
-from pointpred_observers.simulations.signals import Setting
 
-CONTINUOUS, DISCRETE, NORMALISED, NONLINEAR = 0.0, 1.0, 2.0, 3.0
+CONTINUOUS, DISCRETE, NONLINEAR = 0.0, 1.0, 2.0
 """Kinds of law, as stored in the memory."""
 TAKEN, BACKWARDS, TOO_STEEP, UNUSABLE = 0, 1, 2, 3
 """Results of a step."""
@@ -126,8 +122,8 @@ def flow(s: Parts, h: float) -> None:
 
 
 @law
-def jump(s: Parts, share: float) -> None:
-    """One step of (3.58) with ``share`` of the gain; the outputs of the sample become their errors."""
+def jump(s: Parts) -> None:
+    """One step of (3.58); the outputs of the sample become their errors."""
     n = len(s.start)
     sample = sample_of(s.between, n)
     for row in range(len(sample.y)):
@@ -137,7 +133,7 @@ def jump(s: Parts, share: float) -> None:
         for i in range(n):
             for j in range(n):
                 way = s.gain[i, j] * sample.D[row, j]
-                s.theta[i] += share * way * sample.y[row]
+                s.theta[i] += way * sample.y[row]
 
 
 @law
@@ -207,11 +203,11 @@ def step(memory: Memory, row: FloatArray, out: FloatArray) -> int:
         for i in range(steps):
             bend(memory.code, s, new, i / steps, 1.0 / steps, h)
     else:
-        if memory.kind == DISCRETE and not steep < 2.0:
+        if not steep < 2.0:
             return TOO_STEEP
         for i in range(len(s.last)):
             s.between[i] = new[i]
-        jump(s, 1.0 / (1.0 + steep) if memory.kind == NORMALISED else 1.0)
+        jump(s)
     for i in range(len(s.last)):
         s.last[i] = new[i]
     s.clock[0], s.clock[1] = 1.0, row[0]
@@ -276,7 +272,7 @@ class GradientRegressor(_Estimator):
     Continuous (3.46): theta' = G D'(y - D theta), with D and y linear between two samples; of
     second order in the interval, exact in theta for one output, and no gain is too large.
     Discrete (3.58): theta += G D'(y - D theta), refused if the trace of D G D' reaches 2, because the error
-    could then grow; ``normalised`` divides G by 1 + trace(D G D'), so that no sample is refused.
+    could then grow.
 
     Parameters: ``count`` of unknowns n, 1 to 32; ``outputs`` p, 1 to 32; ``gain`` G, a positive
     number, n of them or a positive definite matrix, in 1/s over the square of the regressor's unit
@@ -297,18 +293,15 @@ class GradientRegressor(_Estimator):
 
     gain: ArrayLike = option("the gain G: a number, one for each constant, or a matrix", default=1.0)
     time: Literal["continuous", "discrete"] = option("'continuous' or 'discrete'", default="continuous")
-    normalised: bool = option("whether each step divides the gain by 1 + trace(D G D')", default=False)
 
     def declare(self, **values: Any) -> None:
-        """Check the values and their combinations."""
+        """Check the values."""
         super().declare(**values)
         one_of("time", self.time, TIMES)
-        if self.normalised and self.time == "continuous":
-            raise ParameterError("normalised needs time='discrete'", field="normalised", value=True)
 
     def settings(self) -> FloatArray:
         """The beginning of the memory."""
-        kind = CONTINUOUS if self.time == "continuous" else NORMALISED if self.normalised else DISCRETE
+        kind = CONTINUOUS if self.time == "continuous" else DISCRETE
         return self._settings(0, kind, _positive(int(self.count), self.gain))
 
     def update(self, regressor: ArrayLike, output: ArrayLike, t: float | None = None) -> FloatArray:
@@ -320,10 +313,8 @@ class GradientRegressor(_Estimator):
         if t is None and self.time == "continuous":
             raise EventError("the continuous law needs the time of every sample, received t=None", field="t")
         if (estimate := self._taken(t, regressor=regressor, output=output)) is None:
-            told = f"received regressor {regressor!r}: choose a smaller gain or normalised=True"
-            raise EventError(
-                f"the trace of D G D' must lie below 2, {told}", field="regressor", value=regressor
-            )
+            told = f"must lie below 2, received regressor {regressor!r}: choose a smaller gain"
+            raise EventError(f"the trace of D G D' {told}", field="regressor", value=regressor)
         return estimate
 
 
@@ -379,90 +370,15 @@ class NonlinearRegressor(_Estimator):
 
 def _positive(count: int, gain: ArrayLike) -> FloatArray:
     """A gain as a matrix; raises ParameterError unless it is symmetric and positive definite."""
-
-    def wrong(must: str) -> ParameterError:
-        return ParameterError(f"gain must {must}, received {gain!r}", field="gain", value=gain)
-
     try:
         values = np.array(gain, np.float64)
     except (TypeError, ValueError, OverflowError) as unusable:
-        raise wrong("be numbers") from unusable
+        raise wrong("gain", "must be numbers", gain) from unusable
     if values.shape not in ((), (count,), (count, count)) or not np.isfinite(values).all():
-        raise wrong(f"be a finite number, {count} or {count} x {count}")
+        raise wrong("gain", f"must be a finite number, {count} or {count} x {count}", gain)
     square = values if values.ndim == 2 else np.diag(np.broadcast_to(values, count))
     if np.abs(square - square.T).max() > 1e-12 * np.abs(square).max():
-        raise wrong("be symmetric")
+        raise wrong("gain", "must be symmetric", gain)
     if (least := float(np.linalg.eigvalsh(square).min())) <= 0.0:
-        raise wrong(f"be positive definite, its least eigenvalue is {least:g}")
+        raise wrong("gain", f"must be positive definite, its least eigenvalue is {least:g}", gain)
     return square
-
-
-class Regression(msgspec.Struct, frozen=True):
-    """y = D theta, the plant of a regressor: constants (or slowly moving numbers) seen through D.
-
-    ``parameters`` theta (n) or a function of t; ``regressor`` D (p, n), or (n) for one output, as a function
-    of t. With a ``weight`` D1, a function of t, the sensor saturates: y = (1 - D1) D theta + D1 f(D theta).
-
-    >>> line = Regression([3.0, 5.0], lambda t: [1.0, t])
-    >>> line.at(2.0)[0].tolist(), line.at(2.0)[1].tolist()
-    ([3.0, 5.0], [[1.0, 2.0]])
-    """
-
-    parameters: Any
-    regressor: Callable[[float], Any]
-    weight: Callable[[float], float] | None = None
-    f: Any = "atan"
-
-    def __post_init__(self) -> None:
-        for name, one in (("regressor", self.regressor), ("weight", self.weight)):
-            if not callable(one) and (name == "regressor" or one is not None):
-                raise wrong(name, "must be a function of t", one)
-
-    def at(self, t: float) -> tuple[FloatArray, FloatArray]:
-        """Theta and D at a time."""
-        given = self.parameters(t) if callable(self.parameters) else self.parameters
-        theta = matrix("parameters", given, 1)[0]
-        return theta, matrix("regressor", self.regressor(t), None, len(theta))
-
-    def simulated(self, regressor: Any, setting: Setting) -> Simulation:
-        """The parameters beside those that a regressor estimates; see ``simulate``."""
-        unused = ("start", "estimate", "input", "disturbance", "unknown_input", "schedule")
-        setting.refuse("a regression", *unused)
-        title = TITLES.get(type(regressor))
-        if title is None:
-            known = ", ".join(one.__name__ for one in TITLES)
-            raise ParameterError(
-                f"a Regression needs one of {known}, received {type(regressor).__name__}", field="observer"
-            )
-        running, weight = regressor.fresh(), self.weight
-        if isinstance(regressor, NonlinearRegressor) and weight is None:
-            raise ParameterError("a NonlinearRegressor needs a weight D1, a function of t", field="plant")
-        times = setting.samples(discrete=False)
-        pairs = [self.at(float(t)) for t in times]
-        theta, rows = np.array([one for one, _ in pairs]), [d for _, d in pairs]
-        exact = np.array([d @ one for one, d in pairs])
-        weights = np.zeros((len(times), 1))
-        if weight is not None:
-            f = nonlinearity.nonlinearity(self.f, exact.shape[1])
-            weights = np.array([vector("weight", weight(float(t)), 1) for t in times])
-            exact = (1.0 - weights) * exact + weights * np.array([f(one) for one in exact])
-        outputs, estimate = setting.measured(exact), np.full_like(theta, np.nan)
-        for i, t in enumerate(times.tolist()):
-            if isinstance(running, NonlinearRegressor):
-                estimate[i] = running.update(rows[i], weights[i, 0], outputs[i], t)
-            elif isinstance(running, GradientRegressor):
-                estimate[i] = running.update(rows[i], outputs[i], t)
-            else:
-                running.update(rows[i][0], float(outputs[i][0]), t)
-                values = running.fit().values
-                estimate[i] = np.nan if values is None else values  # None before they are determined
-        none = np.zeros((len(times), 0))
-        names = tuple(f"theta{i + 1}" for i in range(theta.shape[1]))
-        return Simulation(times, theta, estimate, outputs, none, names, title, False)
-
-
-TITLES: dict[type, str] = {
-    GradientRegressor: "gradient regressor",
-    NonlinearRegressor: "nonlinear regressor",
-    RecursiveLeastSquares: "recursive least squares",
-}

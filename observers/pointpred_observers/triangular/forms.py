@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from pointpred.errors import InfeasibleError, ParameterError, UndecidedError
-from pointpred_observers.numerics.matrices import instance, listed
+from pointpred_observers.numerics.matrices import instance, listed, wrong
 from pointpred_observers.plants.symbolic import (
     Free,
     SymbolicGenerator,
@@ -51,29 +51,25 @@ def intervals_of(region: StateRegion, over: Sequence[Any], *, whole: bool = Fals
     Traceback (most recent call last):
     pointpred.errors.ParameterError: region needs 2 pairs (low, high), received [(0.0, 1.0)]
     """
-
-    def wrong(needs: str, value: Any) -> ParameterError:
-        return ParameterError(f"{needs}, received {value!r}", field="region", value=value)
-
     known = {str(one): one for one in over}
     if isinstance(region, Mapping):
         named = {str(name): pair for name, pair in region.items()}
         if unknown := named.keys() - known.keys():
-            raise wrong(f"region may hold {', '.join(known)}", min(unknown))
+            raise wrong("region", f"may hold {', '.join(known)}", min(unknown))
         if whole and (missing := known.keys() - named.keys()):
-            raise wrong(f"region needs {', '.join(sorted(missing))}", region)
+            raise wrong("region", f"needs {', '.join(sorted(missing))}", region)
     elif isinstance(region, list | tuple) and len(region) == len(over):
         named = dict(zip(known, region, strict=True))
     else:
-        raise wrong(f"region needs {len(over)} pairs (low, high)", region)
+        raise wrong("region", f"needs {len(over)} pairs (low, high)", region)
     found = {}
     for name, pair in named.items():
         try:
             low, high = (float(one) for one in pair)
         except (TypeError, ValueError, OverflowError) as unusable:
-            raise wrong(f"{name} needs (low, high)", pair) from unusable
+            raise wrong(name, "needs (low, high)", pair) from unusable
         if not -inf < low <= high < inf:
-            raise wrong(f"{name} needs finite low <= high", pair)
+            raise wrong(name, "needs finite low <= high", pair)
         found[known[name]] = low, high
     return found
 
@@ -250,11 +246,7 @@ def interlaced(
     instance("system", system, SymbolicSystem)
     instance("generator", generator, SymbolicGenerator)
     if not isinstance(upper, int) or not 0 <= upper <= len(system.states):
-        raise ParameterError(
-            f"upper must be a whole number in [0, {len(system.states)}], received {upper!r}",
-            field="upper",
-            value=upper,
-        )
+        raise wrong("upper", f"must be a whole number in [0, {len(system.states)}]", upper)
     chain = (*system.states[upper:], system.input)
     _require_form(system, upper, chain)
     given = {chain[0]: first}

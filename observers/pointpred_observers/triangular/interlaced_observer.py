@@ -270,29 +270,9 @@ class InterlacedObserver(Observer, msgspec.Struct, frozen=True):
         return self.steady.system
 
     @property
-    def margins(self) -> dict[str, float]:
-        """How far each audited inequality holds."""
-        return self.certificate.margins
-
-    @property
-    def bounds(self) -> dict[str, ErrorBound]:
-        """The bound of w - w_hat."""
-        return {"error": self.certificate.bound}
-
-    @property
-    def lyapunov(self) -> dict[str, FloatArray]:
-        """The P of Theorem 4.4.1."""
-        return {"": self.certificate.P}
-
-    @property
     def chosen(self) -> dict[str, FloatArray]:
         """The gain."""
         return {"L": np.asarray(self.certificate.L)}
-
-    @property
-    def gap(self) -> float:
-        """That of the certificate."""
-        return self.certificate.gap
 
     def error_system(self) -> ErrorSystem:
         """The system of w - w_hat, disturbed by ``v``, the error of y."""

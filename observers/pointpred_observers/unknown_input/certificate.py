@@ -51,7 +51,7 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True, eq=False):
 
     decay: float
     """The proved rate, 1/s (1/step)."""
-    p: FloatArray
+    P: FloatArray
     force: FloatArray
     """F of the theorem, n x n; gamma is its largest eigenvalue."""
     margin: float
@@ -61,6 +61,11 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True, eq=False):
     """How far the least gamma + 0.01 trace P in balanced units could lie below that of the design, relative;
     infinite if nothing is proved."""
     time: str = "continuous"
+
+    @property
+    def margins(self) -> dict[str, float]:
+        """The margin by the name of its inequality."""
+        return {"(27c)": self.margin}
 
     @property
     def gamma(self) -> float:
@@ -85,7 +90,7 @@ class UnknownInputCertificate(msgspec.Struct, frozen=True, eq=False):
     @property
     def bound(self) -> ErrorBound:
         """The proved bound of |e|, disturbed by ``delta``."""
-        return proved_bound(self.p, self.decay, {"delta": self.gamma}, self.time)
+        return proved_bound(self.P, self.decay, {"delta": self.gamma}, self.time)
 
 
 def largest_decay(zeros: NDArray[np.complex128], time: str = "continuous") -> float:

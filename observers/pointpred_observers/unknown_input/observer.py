@@ -36,7 +36,6 @@ from pointpred_observers.plants.varying import (
     invariant_zeros,
     kernel,
 )
-from pointpred_observers.proofs.bounds import ErrorBound
 from pointpred_observers.proofs.error_system import ErrorSystem
 from pointpred_observers.proofs.search import least_in_both
 from pointpred_observers.simulations.result import Simulation
@@ -117,11 +116,8 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         if output_decay is not None:
             positive("output_decay", output_decay)
             if discrete:
-                raise ParameterError(
-                    "a discrete observer has no output_decay: errors of the outputs end at the next step",
-                    field="output_decay",
-                    value=output_decay,
-                )
+                words = "a discrete observer has no output_decay: errors of the outputs end at the next step"
+                raise ParameterError(words, field="output_decay", value=output_decay)
         system.checked(box)
         system = system.weighted(box)
         zeros = invariant_zeros(system, box)
@@ -183,11 +179,8 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
         gammas, ts = system.at_vertices(box)
         wanted = (len(ts), *system.c.T.shape)
         if np.shape(gains) != wanted or not np.isfinite(gains).all():
-            raise ParameterError(
-                f"gains need shape {wanted}, one matrix a vertex, and finite numbers, received shape "
-                f"{np.shape(gains)}",
-                field="gains",
-            )
+            needs = f"need shape {wanted}, one matrix a vertex, and finite numbers, received shape"
+            raise ParameterError(f"gains {needs} {np.shape(gains)}", field="gains")
         zeros = invariant_zeros(system, box)
         proof = audit(gammas, ts, system.c, P, gains, force, decay, zeros, system.time)
         return cls(system, box, np.asarray(gains, np.float64), msgspec.structs.replace(proof, gap=gap))
@@ -195,7 +188,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
     def audited(self) -> Self:
         """The same observer, every eigenvalue of its certificate computed again; raises as ``certified``."""
         proof = self.certificate
-        return self.certified(self.system, self.box, self.gains, proof.p, proof.force, proof.decay, proof.gap)
+        return self.certified(self.system, self.box, self.gains, proof.P, proof.force, proof.decay, proof.gap)
 
     @property
     def plant(self) -> ParameterVaryingSystem:
@@ -206,26 +199,6 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
     def decay(self) -> float:
         """The proved decay of the error, 1/s (1/step)."""
         return self.certificate.decay
-
-    @property
-    def margins(self) -> dict[str, float]:
-        """How far each inequality holds."""
-        return {"(27c)": self.certificate.margin}
-
-    @property
-    def bounds(self) -> dict[str, ErrorBound]:
-        """The proved bound of T x - z, disturbed by ``delta``."""
-        return {"error": self.certificate.bound}
-
-    @property
-    def lyapunov(self) -> dict[str, FloatArray]:
-        """The P of Theorem 1."""
-        return {"": self.certificate.p}
-
-    @property
-    def gap(self) -> float:
-        """How far below what was minimised the least could lie, relative; infinite if nothing is proved."""
-        return self.certificate.gap
 
     def error_system(self) -> ErrorSystem:
         """The system of T x - z at each vertex, disturbed by ``delta`` = (A(p) - A(p^)) x."""
@@ -295,7 +268,7 @@ class UnknownInputObserver(Observer, msgspec.Struct, frozen=True, eq=False):
             plant=ParameterVaryingDocument.of(system),
             gains=self.gains.tolist(),
             decay=proof.decay,
-            certificate=plain({"P": proof.p, "F": proof.force}),
+            certificate=plain({"P": proof.P, "F": proof.force}),
             gap=finite(proof.gap),
         )
 

@@ -16,7 +16,7 @@ from pointpred.errors import DivergenceError, EventError, EventOrderError, Param
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray, FloatTable
 from pointpred_observers.numerics.eigenvalues import SINGULAR, perron_root
-from pointpred_observers.numerics.matrices import matrix
+from pointpred_observers.numerics.matrices import matrix, wrong
 from pointpred_observers.plants.boxes import weigh
 
 if TYPE_CHECKING:
@@ -245,11 +245,9 @@ def _sizes(name: str, given: Any, count: int | None) -> FloatArray:
     """Numbers above 0, one or ``count``."""
     sizes: FloatArray = matrix(name, given, 1)[0]
     if (sizes <= 0.0).any():
-        raise ParameterError(f"{name} must lie above 0, received {given!r}", field=name, value=given)
+        raise wrong(name, "must lie above 0", given)
     if count is not None and len(sizes) not in (1, count):
-        raise ParameterError(
-            f"{name} needs 1 or {count} numbers, received {len(sizes)}", field=name, value=given
-        )
+        raise wrong(name, f"needs 1 or {count} numbers", given)
     return sizes
 
 

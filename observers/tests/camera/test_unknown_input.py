@@ -34,7 +34,7 @@ def camera() -> UnknownInputObserver:
 def parts(observer: UnknownInputObserver) -> tuple:
     """Gamma, T and K at each vertex of a design, C and P."""
     gammas, ts = observer.system.at_vertices(observer.box)
-    return gammas, ts, observer.system.c, observer.certificate.p, observer.gains
+    return gammas, ts, observer.system.c, observer.certificate.P, observer.gains
 
 
 def test_128_vertices_are_proved_one_by_one(camera: UnknownInputObserver) -> None:
