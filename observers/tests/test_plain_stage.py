@@ -277,7 +277,7 @@ def test_samples_of_two_sensors_at_one_time_join() -> None:
 
 def test_only_nan_is_missing() -> None:
     stage = PersidskiiStage([[-1.0]], None, None, [[1.0]], "sin")
-    with pytest.raises(EventError, match="NaN only for a missing input"):
+    with pytest.raises(EventError, match="NaN for those that are missing"):
         stage.update(0.0, np.inf)
     with pytest.raises(EventError, match="must be finite"):
         stage.update(NAN, 0.0)

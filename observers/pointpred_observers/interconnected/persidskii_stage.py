@@ -384,17 +384,22 @@ class PersidskiiStage(CompiledStage):
         return out
 
     def _row(self, t: float, inputs: ArrayLike | None) -> FloatArray:
+        def wrong(name: str, must: str, given: Any) -> EventError:
+            return EventError(f"{name} must be {must}, received {given!r}", field=name, value=given)
+
+        row = np.empty(1 + self.inputs)
         try:
-            values = np.full(self.inputs, np.nan) if inputs is None else np.asarray(inputs, np.float64)
-            row = np.concatenate([[t], np.ravel(values)]).astype(np.float64)
+            row[0] = t
         except (TypeError, ValueError, OverflowError) as unusable:
-            raise EventError(f"a sample must be numbers, received t={t!r}, inputs={inputs!r}") from unusable
-        if len(row) != 1 + self.inputs:
-            raise EventError(f"a sample needs {self.inputs} inputs, received {inputs!r}")
-        if row[0] != row[0] or np.isinf(row).any():
-            raise EventError(
-                f"a sample must be finite (NaN only for a missing input), received t={t!r}, inputs={inputs!r}"
-            )
+            raise wrong("t", "a number", t) from unusable
+        try:
+            row[1:] = np.nan if inputs is None else np.asarray(inputs, np.float64).reshape(self.inputs)
+        except (TypeError, ValueError, OverflowError) as unusable:
+            raise wrong("inputs", f"{self.inputs} numbers", inputs) from unusable
+        if np.isinf(row).any() or row[0] != row[0]:
+            if not np.isfinite(row[0]):
+                raise wrong("t", "finite", t)
+            raise wrong("inputs", "finite, or NaN for those that are missing", inputs)
         return row
 
 
