@@ -167,6 +167,24 @@ def test_a_hidden_mode_is_named_before_any_solver(monkeypatch: pytest.MonkeyPatc
         DrivenObserver.design(plant, generator=Generator(s0), Pi=np.eye(2), decay=0.0)
 
 
+def test_a_mode_that_only_one_slope_hides_is_refused_patiently() -> None:
+    """Near a slope of 0.09 the output does not show a mode of -0.07 1/s, so that no gain makes it faster."""
+    plant = Persidskii(
+        [
+            [0.038, -0.164, 0.294, -0.08],
+            [0.119, -0.09, 0.074, -0.668],
+            [0.087, 0.002, -0.083, 0.402],
+            [-0.07, 0.263, -0.458, -0.357],
+        ],
+        [0.016, -0.422, -0.057, -0.524],
+        [0.285, -0.441, -0.093, -0.707],
+        "tanh",
+        C0=[0.776, -0.744, 1.406, -0.454],
+    )
+    with pytest.raises(InfeasibleError, match="no choice satisfies the inequalities"):
+        FullOrderObserver.design(plant, decay=0.5)
+
+
 def test_infeasible_is_said_where_no_single_gain_serves_all_slopes() -> None:
     # Each corner is detectable alone; f swaps the sign with which the state shows in the output.
     plant = Persidskii([[1.0]], [[0.0]], [[1.0]], "sin", C1=[[1.0]])

@@ -9,7 +9,7 @@ objective comes with the distance from a bound that the multipliers prove.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from operator import attrgetter
+from operator import attrgetter, itemgetter
 from typing import Any, Self
 
 import msgspec
@@ -27,6 +27,7 @@ from pointpred_observers.numerics.equalities import allowed, or_one
 from pointpred_observers.proofs.bounds import LEAST_POSITIVE, least
 from pointpred_observers.proofs.solver import (
     ENTIRE,
+    PATIENT,
     Affine,
     Answer,
     answered,
@@ -49,6 +50,8 @@ EASY = 1e8
 """Up to this kappa a solution is sought first, and this is how far the bound of an objective is proved."""
 LOOSER = 10.0
 """Where nothing is decided, a proof is sought with so many times kappa: its multipliers may reach further."""
+BEST = 5
+"""Where no proof reaches far enough, so many of those that reach farthest are corrected in more steps."""
 GAP = 1e-3
 """A relative distance from the proved bound at which the search for a smaller objective ends."""
 FINER = (1.0, 1e-2, 1e-4)
@@ -319,7 +322,7 @@ class MatrixInequalities:
         the problem, the next in those scaled to ``near``, each further one in those of the last answer.
         """
         start = None if near is None else self.unknowns.numbers(dict(near))
-        proofs: list[tuple[float, Answer]] = []
+        proofs: list[tuple[float, Affine, Answer]] = []
         for kappa in (EASY, KAPPA, LOOSER * KAPPA):
             problem = self._numbers(minimise, kappa)
             free = relaxing(problem)
@@ -332,7 +335,7 @@ class MatrixInequalities:
                     passing = None if one is None else self._relaxed(problem, one, free)
                     if passing is not None and kappa <= KAPPA:
                         return passing, problem
-                proofs.append((reach(posed, answer.multipliers), answer))
+                proofs.append((reach(posed, answer.multipliers), posed, answer))
                 # Where the start of the caller leads nowhere, the first answer may.
                 last = answer.numbers if answer.numbers is not None or turn > 1 else last
                 scale = start if turn == 0 and start is not None else last
@@ -340,7 +343,12 @@ class MatrixInequalities:
                     break
             if proofs[-1][0] >= ENTIRE:
                 break
-        raise self._refusal(*max(proofs, key=lambda one: one[0]))
+        best = sorted(proofs, key=itemgetter(0))[-BEST:]
+        extent = best[-1][0]
+        for _, posed, answer in reversed(best):
+            if extent < ENTIRE:
+                extent = max(extent, reach(posed, answer.multipliers, PATIENT))
+        raise self._refusal(extent, best[-1][2])
 
     def _relaxed(self, problem: Affine, numbers: FloatArray, free: list[int]) -> FloatArray | None:
         """The numbers with those of ``free`` large enough to pass the audit, if any are."""

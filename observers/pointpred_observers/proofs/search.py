@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from types import SimpleNamespace
 from typing import Any, TypeVar
 
@@ -57,23 +58,33 @@ def search(
     Parameters: ``units`` from ``balanced``; ``audited`` raises CertificateError for matrices that prove
     nothing; ``size`` as for ``least_in_both``. Raises InfeasibleError, UndecidedError, CertificateError.
     """
+    edge: list[Coordinates] = []
 
-    def attempt(one: Coordinates) -> T:
+    def attempt(one: Coordinates, *, least: bool = True) -> T:
         now = posed(one)
-        found = now.problem.solve(minimise=now.minimise, near=now.near)
+        found = now.problem.solve(minimise=now.minimise if least else None, near=now.near)
         v = SimpleNamespace(**found.values)
         matrices = {**found.values, **{name: function(v) for name, function in now.functions.items()}}
         try:
             outward = {name: matrices[name] / unit for name, unit in now.units.items() if name in matrices}
             return audited(outward, np.inf if found.gap is None else found.gap)
         except (CertificateError, np.linalg.LinAlgError) as failure:
+            if now.minimise is not None:
+                edge.append(one)
             # They passed in the units of the search: a CertificateError is for matrices of others.
             raise UndecidedError(
                 f"{failure}; that is too close to the edge for the arithmetic, which proves nothing: require "
                 "less decay, or measure more states"
             ) from failure
 
-    return least_in_both(units, attempt, size, little)
+    try:
+        return least_in_both(units, attempt, size, little)
+    except UndecidedError:
+        # At a minimum little is left of the margins; the largest ones may outlast the rounding.
+        for one in edge[:]:
+            with suppress(InfeasibleError, UndecidedError, CertificateError):
+                return attempt(one, least=False)
+        raise
 
 
 def least_in_both(

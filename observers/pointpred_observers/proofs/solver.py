@@ -21,6 +21,8 @@ ENTIRE = 1e12
 """A proof up to this condition number of P, in balanced units, counts as one for every choice."""
 CORRECTIONS = 7
 """Steps with which the multipliers are moved towards the slopes that they should have."""
+PATIENT = 60
+"""Steps for the best multipliers of a search that decided nothing: they converge slowly at a double root."""
 EPS = float(np.finfo(np.float64).eps)
 """Rounding of a coefficient, relative to itself: no multiplier can show what is smaller."""
 RANKS = (1e-6, 0.0, 1e-3)
@@ -123,7 +125,7 @@ Multipliers = list[FloatArray] | None
 """A matrix Z >= 0 for each of the ``lower`` blocks; ``None`` where the solver has none."""
 
 
-def reach(problem: Affine, given: Multipliers) -> float:
+def reach(problem: Affine, given: Multipliers, corrections: int = CORRECTIONS) -> float:
     """Up to which condition number of P, and size of any other number, nothing satisfies the inequalities.
 
     0 if nothing is proved. Infinite only where no number has a coefficient: those are known up to rounding.
@@ -131,7 +133,7 @@ def reach(problem: Affine, given: Multipliers) -> float:
     if given is None or _sum(problem, given)[0] >= 0.0:
         return 0.0
     best = 0.0
-    for one in _corrected(problem, given, np.zeros(len(problem.x0))):
+    for one in _corrected(problem, given, np.zeros(len(problem.x0)), corrections):
         level, slopes = _sum(problem, one)
         # How far the rounding of the coefficients may move the sum, and by how much more per size of numbers.
         fixed = growing = 0.0
@@ -157,7 +159,7 @@ def least_objective(problem: Affine, given: Multipliers, kappa: float, enough: f
     best = -np.inf
     if problem.objective is None or given is None:
         return best
-    for one in _corrected(problem, given, problem.objective):
+    for one in _corrected(problem, given, problem.objective, CORRECTIONS):
         level, slopes = _sum(problem, one)
         start = level - float(problem.objective @ problem.x0)
         best = max(best, -(start + _largest(problem, slopes - problem.objective, kappa)))
@@ -166,7 +168,9 @@ def least_objective(problem: Affine, given: Multipliers, kappa: float, enough: f
     return best
 
 
-def _corrected(problem: Affine, given: list[FloatArray], wanted: FloatArray) -> Iterator[list[FloatArray]]:
+def _corrected(
+    problem: Affine, given: list[FloatArray], wanted: FloatArray, corrections: int
+) -> Iterator[list[FloatArray]]:
     """The multipliers moved until their slopes are ``wanted`` up to rounding.
 
     Z = R R' with R of low rank, so that Z is positive semidefinite whatever R is, and Newton's steps of least
@@ -180,7 +184,7 @@ def _corrected(problem: Affine, given: list[FloatArray], wanted: FloatArray) -> 
             kept = values > share * max(float(values[-1]), 0.0)
             roots.append((vectors[:, kept] * np.sqrt(np.maximum(values[kept], 0.0))).astype(np.longdouble))
         exact: list[Any] = [r @ r.T for r in roots]
-        for i in range(CORRECTIONS):
+        for i in range(corrections):
             missing = np.asarray(_sum(problem, exact)[1] - wanted, np.float64)
             # A number that may grow as it likes towards its own side costs nothing.
             missing[(problem.lows > -np.inf) & (missing < 0.0)] = 0.0
