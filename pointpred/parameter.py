@@ -25,8 +25,9 @@ SLOW_S, SLOWEST_MS, FEW = 2.0, 500.0, 3
 
 
 def is_number(value: object) -> bool:
-    """Whether a value is a number by its kind: no word that reads like one, no truth value."""
-    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+    """Whether a value is a number by its kind: no word that reads like one, no truth value, no duration."""
+    numbers = int | float | np.integer | np.floating
+    return isinstance(value, numbers) and not isinstance(value, bool | np.timedelta64)
 
 
 def warn_of_milliseconds(steps: Any) -> None:

@@ -24,7 +24,7 @@ class Observer:
     __slots__ = ()
     kind: ClassVar[str]
     certificate: Any = None
-    """The proof where it is one: its ``margins``, ``bound``, ``P`` and ``gap`` are those of the design."""
+    """Has the design's ``margins``, ``bound``, ``P`` and ``gap``; ``None`` where the design has them."""
 
     @property
     def plant(self) -> Any:
@@ -54,7 +54,7 @@ class Observer:
     @property
     def lyapunov(self) -> dict[str, FloatArray]:
         """The P of the inequalities, by how the names of their margins begin."""
-        return {"": self.certificate.P}
+        return {} if self.certificate is None else {"": self.certificate.P}
 
     @property
     def chosen(self) -> dict[str, FloatArray]:

@@ -75,7 +75,10 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: thesis.theorem_3_3_1("observer"), "needs an InvariantObserver, or printed matrices"),
     (lambda: thesis.assumption_3_2_2(LAG, Generator([[-2.0]], G=[1.0], L0=[1.0])), "needs Pi"),
     (lambda: thesis.assumption_4_4_2(steady(kept.X2)), "region needs x2"),
-    (lambda: thesis.assumption_4_4_2(steady(kept.X2), {kept.X2: (1.0, 0.0)}), "x2 needs finite low <= high"),
+    (
+        lambda: thesis.assumption_4_4_2(steady(kept.X2), {kept.X2: (1.0, 0.0)}),
+        "region needs finite low <= high for x2",
+    ),
     (lambda: thesis.regulator_stage(LAG, Generator([[-1.0]], G=[1.0])), "a regulator needs J"),
     (lambda: thesis.regulator_equations(LAG, Generator([[0.0]], G=[1.0])), "generator without G"),
     (lambda: thesis.design_state_feedback(BARE), "needs an input"),

@@ -302,6 +302,40 @@ def test_a_design_that_fails_its_own_audit_is_undecided(monkeypatch: pytest.Monk
         FullOrderObserver.design(CART)
 
 
+def test_one_gain_without_a_certificate_refuses_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The audit of a rounded gain seeks a P for this gain alone: that there is none says little."""
+
+    def failing(*given: Any, **options: Any) -> None:
+        raise CertificateError("Theorem 3.2.1: the LMI has the eigenvalue 1, must lie below 0")
+
+    def refusing(*given: Any, gain: Any = None, **options: Any) -> Any:
+        if gain is not None:
+            raise InfeasibleError("no P for this gain")
+        return every(*given, gain=gain, **options)
+
+    every = interconnected.driven
+    monkeypatch.setattr(interconnected, "certified_design", failing)
+    monkeypatch.setattr(interconnected, "driven", refusing)
+    with pytest.raises(UndecidedError, match="no P for this gain"):
+        FullOrderObserver.design(CART)
+
+
+def test_the_largest_margins_have_a_gain_of_their_own() -> None:
+    """No P proves the gain of the least bound once it is rounded."""
+    hidden = Persidskii(
+        [[0.90046, -0.0061862, -0.05884], [-0.019061, 1.0353, -0.0016986], [0.040652, -0.024523, 1.0076]],
+        [0.025024, 0.015136, 0.050724],
+        [0.24404, -0.70902, 0.9634],
+        "saturation",
+        C0=[[0.77757, 0.27982, 0.7393], [1.3023, 0.28609, 0.9441]],
+        time="discrete",
+    )
+    design = FullOrderObserver.design(hidden, decay=0.02)
+    assert min(design.margins.values()) > 0.0
+    assert design.gap == np.inf
+    assert design.bound.decay >= 0.02
+
+
 def test_a_design_whose_least_bound_fails_its_audit_has_a_larger_one() -> None:
     """A mode that the outputs hardly show: rounding eats the margins of the least bound, not the largest."""
     hidden = Persidskii(
@@ -314,6 +348,7 @@ def test_a_design_whose_least_bound_fails_its_audit_has_a_larger_one() -> None:
     )
     design = FullOrderObserver.design(hidden, decay=0.02)
     assert min(design.margins.values()) > 0.0
+    assert design.gap == np.inf
     with mpmath.workdps(40):
         a, b, h, c, m, p = (
             mpmath.matrix(np.atleast_2d(one).tolist())

@@ -239,8 +239,9 @@ def test_what_cannot_be_taken_in_changes_nothing(observer: InterlacedObserver) -
         stage.update(1.0, 0.5)
     for wrong in ([1.0, 2.0], np.inf, "far"):
         for t in (1.2, 2.0):  # within a gap and after one
-            with pytest.raises(EventError, match=r"a sample (needs 1 inputs|must be)"):
+            with pytest.raises(EventError) as refused:
                 stage.update(wrong, t)
+            assert refused.value.field == "inputs"
     assert pickle.dumps(stage) == kept
 
 

@@ -167,7 +167,10 @@ def test_a_refused_sample_changes_nothing() -> None:
         (9.0, nothing + np.inf, EventError, "inputs"),
         (9.0, [0.0] * 7, EventError, "inputs"),
         (9.0, "some", EventError, "inputs"),
+        (9.0, nothing + 1j, EventError, "inputs"),
         ("now", nothing, EventError, "t"),
+        (10**400, nothing, EventError, "t"),
+        (np.timedelta64(9, "s"), nothing, EventError, "t"),
     ]:
         with pytest.raises(error) as refused:
             stage.update(t, inputs)

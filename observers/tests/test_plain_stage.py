@@ -279,5 +279,5 @@ def test_only_nan_is_missing() -> None:
     stage = PersidskiiStage([[-1.0]], None, None, [[1.0]], "sin")
     with pytest.raises(EventError, match="NaN for those that are missing"):
         stage.update(0.0, np.inf)
-    with pytest.raises(EventError, match="must be finite"):
+    with pytest.raises(EventError, match="t must be a finite number"):
         stage.update(NAN, 0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil
+from math import ceil, isfinite
 from typing import Any
 
 import msgspec
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
-from pointpred.parameter import option, parameter
+from pointpred.parameter import is_number, option, parameter
 from pointpred.records import BoolArray, FloatArray
 from pointpred.stage import CompiledStage
 from pointpred_observers.interconnected import persidskii_law as law
@@ -389,16 +389,19 @@ class PersidskiiStage(CompiledStage):
 
         row = np.empty(1 + self.inputs)
         try:
-            row[0] = t
-        except (TypeError, ValueError, OverflowError) as unusable:
-            raise wrong("t", "a number", t) from unusable
+            row[0] = t if is_number(t) else np.nan
+        except OverflowError:  # an integer beyond every float
+            row[0] = np.inf
+        if not isfinite(row[0]):
+            raise wrong("t", "a finite number", t)
         try:
-            row[1:] = np.nan if inputs is None else np.asarray(inputs, np.float64).reshape(self.inputs)
+            values = np.asarray(np.full(self.inputs, np.nan) if inputs is None else inputs)
+            if values.dtype.kind not in "biufO":
+                raise TypeError  # text, dates, complex numbers
+            row[1:] = values.reshape(self.inputs)
         except (TypeError, ValueError, OverflowError) as unusable:
-            raise wrong("inputs", f"{self.inputs} numbers", inputs) from unusable
-        if np.isinf(row).any() or row[0] != row[0]:
-            if not np.isfinite(row[0]):
-                raise wrong("t", "finite", t)
+            raise wrong("inputs", f"real numbers, {self.inputs} of them", inputs) from unusable
+        if np.isinf(row).any():
             raise wrong("inputs", "finite, or NaN for those that are missing", inputs)
         return row
 

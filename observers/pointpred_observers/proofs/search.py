@@ -56,9 +56,10 @@ def search(
     """What ``audited`` makes of the matrices that are found, in the user's units, and of their gap.
 
     Parameters: ``units`` from ``balanced``; ``audited`` raises CertificateError for matrices that prove
-    nothing; ``size`` as for ``least_in_both``. Raises InfeasibleError, UndecidedError, CertificateError.
+    nothing; ``size`` as for ``least_in_both``. Matrices of a minimum that fail the audit are sought once more
+    with the largest margins. Raises InfeasibleError, UndecidedError, CertificateError.
     """
-    edge: list[Coordinates] = []
+    failed: list[Coordinates] = []
 
     def attempt(one: Coordinates, *, least: bool = True) -> T:
         now = posed(one)
@@ -68,9 +69,12 @@ def search(
         try:
             outward = {name: matrices[name] / unit for name, unit in now.units.items() if name in matrices}
             return audited(outward, np.inf if found.gap is None else found.gap)
-        except (CertificateError, np.linalg.LinAlgError) as failure:
-            if now.minimise is not None:
-                edge.append(one)
+        except (CertificateError, InfeasibleError, UndecidedError, np.linalg.LinAlgError) as failure:
+            if least and now.minimise is not None:
+                failed.append(one)
+            if isinstance(failure, UndecidedError):
+                raise
+            # An audit that searches, too, may prove that these matrices have no certificate, but no more.
             # They passed in the units of the search: a CertificateError is for matrices of others.
             raise UndecidedError(
                 f"{failure}; that is too close to the edge for the arithmetic, which proves nothing: require "
@@ -79,9 +83,9 @@ def search(
 
     try:
         return least_in_both(units, attempt, size, little)
-    except UndecidedError:
+    except (CertificateError, UndecidedError):
         # At a minimum little is left of the margins; the largest ones may outlast the rounding.
-        for one in edge[:]:
+        for one in failed:
             with suppress(InfeasibleError, UndecidedError, CertificateError):
                 return attempt(one, least=False)
         raise

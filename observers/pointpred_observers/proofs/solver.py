@@ -22,7 +22,7 @@ ENTIRE = 1e12
 CORRECTIONS = 7
 """Steps with which the multipliers are moved towards the slopes that they should have."""
 PATIENT = 60
-"""Steps for the best multipliers of a search that decided nothing: they converge slowly at a double root."""
+"""Steps for the best multipliers of a search that decided nothing, which converge slowly at a double root."""
 EPS = float(np.finfo(np.float64).eps)
 """Rounding of a coefficient, relative to itself: no multiplier can show what is smaller."""
 RANKS = (1e-6, 0.0, 1e-3)

@@ -67,9 +67,9 @@ def intervals_of(region: StateRegion, over: Sequence[Any], *, whole: bool = Fals
         try:
             low, high = (float(one) for one in pair)
         except (TypeError, ValueError, OverflowError) as unusable:
-            raise wrong(name, "needs (low, high)", pair) from unusable
+            raise wrong("region", f"needs (low, high) for {name}", pair) from unusable
         if not -inf < low <= high < inf:
-            raise wrong(name, "needs finite low <= high", pair)
+            raise wrong("region", f"needs finite low <= high for {name}", pair)
         found[known[name]] = low, high
     return found
 
