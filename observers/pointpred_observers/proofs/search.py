@@ -69,12 +69,10 @@ def search(
         try:
             outward = {name: matrices[name] / unit for name, unit in now.units.items() if name in matrices}
             return audited(outward, np.inf if found.gap is None else found.gap)
-        except (CertificateError, InfeasibleError, UndecidedError, np.linalg.LinAlgError) as failure:
-            if least and now.minimise is not None:
+        except (CertificateError, InfeasibleError, np.linalg.LinAlgError) as failure:
+            # An InfeasibleError is of an audit that searched a proof of these matrices: others may have one.
+            if least and now.minimise is not None and not isinstance(failure, InfeasibleError):
                 failed.append(one)
-            if isinstance(failure, UndecidedError):
-                raise
-            # An audit that searches, too, may prove that these matrices have no certificate, but no more.
             # They passed in the units of the search: a CertificateError is for matrices of others.
             raise UndecidedError(
                 f"{failure}; that is too close to the edge for the arithmetic, which proves nothing: require "
