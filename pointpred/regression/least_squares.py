@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 from pointpred.compiled import law
 from pointpred.errors import EventError, EventOrderError, ParameterError
 from pointpred.layout import Layout
-from pointpred.parameter import option, parameter
+from pointpred.parameter import is_number, option, parameter
 from pointpred.records import FloatArray, FloatTable
 from pointpred.stage import CompiledStage
 
@@ -269,11 +269,11 @@ def sample(count: int, regressor: ArrayLike, output: float) -> tuple[FloatArray,
 def moment(t: float, last_t: float | None) -> float:
     """The time of a sample; raises EventError if not a number, EventOrderError if it runs backwards."""
     try:
-        now = float(t)
-    except (TypeError, ValueError, OverflowError) as unusable:
-        raise EventError(f"t must be a number of seconds, received {t!r}", field="t", value=t) from unusable
+        now = float(t) if is_number(t) else inf
+    except OverflowError:  # an integer beyond every float
+        now = inf
     if not isfinite(now):
-        raise EventError(f"t must be finite, received {t!r}", field="t", value=t)
+        raise EventError(f"t must be a finite number, received {t!r}", field="t", value=t)
     if last_t is not None and now < last_t:
         raise EventOrderError(
             f"t must not run backwards: received {now!r} s after {last_t!r} s", field="t", value=now

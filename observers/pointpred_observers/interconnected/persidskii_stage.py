@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, isfinite
+from math import ceil
 from typing import Any
 
 import msgspec
@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
-from pointpred.parameter import is_number, option, parameter
+from pointpred.parameter import option, parameter
 from pointpred.records import BoolArray, FloatArray
+from pointpred.regression.least_squares import moment
 from pointpred.stage import CompiledStage
 from pointpred_observers.interconnected import persidskii_law as law
 from pointpred_observers.numerics.eigenvalues import perron_root
@@ -384,25 +385,20 @@ class PersidskiiStage(CompiledStage):
         return out
 
     def _row(self, t: float, inputs: ArrayLike | None) -> FloatArray:
-        def wrong(name: str, must: str, given: Any) -> EventError:
-            return EventError(f"{name} must be {must}, received {given!r}", field=name, value=given)
+        def wrong(must: str) -> EventError:
+            return EventError(f"inputs must be {must}, received {inputs!r}", field="inputs", value=inputs)
 
         row = np.empty(1 + self.inputs)
-        try:
-            row[0] = t if is_number(t) else np.nan
-        except OverflowError:  # an integer beyond every float
-            row[0] = np.inf
-        if not isfinite(row[0]):
-            raise wrong("t", "a finite number", t)
+        row[0] = moment(t, None)
         try:
             values = np.asarray(np.full(self.inputs, np.nan) if inputs is None else inputs)
             if values.dtype.kind not in "biufO":
                 raise TypeError  # text, dates, complex numbers
             row[1:] = values.reshape(self.inputs)
         except (TypeError, ValueError, OverflowError) as unusable:
-            raise wrong("inputs", f"real numbers, {self.inputs} of them", inputs) from unusable
+            raise wrong(f"real numbers, {self.inputs} of them") from unusable
         if np.isinf(row).any():
-            raise wrong("inputs", "finite, or NaN for those that are missing", inputs)
+            raise wrong("finite, or NaN for those that are missing")
         return row
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import partial
-from math import ceil, isfinite
+from math import ceil
 from typing import TYPE_CHECKING, Any, Self
 
 import msgspec
@@ -15,6 +15,7 @@ from pointpred.compiled import law
 from pointpred.errors import DivergenceError, EventError, EventOrderError, ParameterError
 from pointpred.parameter import is_number
 from pointpred.records import FloatArray, FloatTable
+from pointpred.regression.least_squares import moment
 from pointpred_observers.numerics.eigenvalues import SINGULAR, perron_root
 from pointpred_observers.numerics.matrices import matrix, wrong
 from pointpred_observers.plants.boxes import weigh
@@ -448,8 +449,7 @@ class UnknownInputStage:
         known = _copied("known", sample.known, n)
         if not np.isfinite(known).all():
             raise _unusable("known", f"{n} finite numbers", sample.known)
-        if not is_number(sample.t) or not isfinite(sample.t):
-            raise _unusable("t", "a finite number", sample.t)
+        moment(sample.t, None)
         schedule = sample.schedule
         if isinstance(schedule, Mapping) and all(is_number(one) for one in schedule.values()):
             schedule = partial(_constant, dict(schedule))
